@@ -29,8 +29,6 @@ struct DeriveRequest {
     DerivationLimits limits;
 };
 
-constexpr const char* printing = "what is printed";
-
 // Through which weight the printed solution uses normal form and map: as asked, else what accuracy
 // through the order on t = 1/eps needs.
 int truncation_of(const GradedField& field, int order, const std::string& asked) {
@@ -109,7 +107,7 @@ bool in_graph(const GradedField& field, int order, Stage stage, Format format, c
 
 std::string from_graph(const Expanded& expanded, int order, Stage stage, Format format, Watch& watch) {
     const GraphNormalization n = normalize_in_graph_certified(expanded, order, watch);
-    watch.go_on_with(printing);
+    watch.print();
     return stage == Stage::divisors ? print_divisors(*expanded.field, n.result.divisors, order, format)
                                     : print_normal_form(n, order);
 }
@@ -123,7 +121,7 @@ std::string document(const Expanded& expanded, int weight, Stage stage, const st
         const int through = truncation_of(*expanded.field, weight, truncation);
         const Solution solution = solve_under(watch, normalize_certified(expanded, through, watch),
                                               {weight, through, expanded.first_order->system->eps_root});
-        watch.go_on_with(printing);
+        watch.print();
         return stage == Stage::solution ? print_solution(solution, format)
                                         : print_transgression(solution, format);
     }
@@ -135,12 +133,12 @@ std::string document(const Expanded& expanded, int weight, Stage stage, const st
         return from_graph(expanded, weight, stage, format, watch);
     if (stage == Stage::manifold) require_slaved_modes(*expanded.field);
     const auto normalization = normalize_certified(expanded, weight, watch);
-    watch.go_on_with(printing);
+    const bool with_drift = is_page(format) && stage != Stage::divisors && stage != Stage::manifold;
+    const auto solution = with_drift ? solved_drift(normalization, watch) : std::nullopt;
+    watch.print();
     if (stage == Stage::divisors)
         return print_divisors(*normalization->normal_form.field, normalization->divisors, weight, format);
     if (stage == Stage::manifold) return print_manifold(*normalization, weight, format);
-    const auto solution = is_page(format) ? solved_drift(normalization, watch) : std::nullopt;
-    watch.go_on_with(printing);
     return print_normal_form(*normalization, weight, format, solution ? &*solution : nullptr);
 }
 

@@ -77,6 +77,14 @@ void Watch::certified(const std::string& weight) {
 
 void Watch::go_on_with(const std::string& step) { enter(fmt::format("{}, {} under way", certified_, step)); }
 
+void Watch::print() {
+    go_on_with("what is printed");
+    const std::lock_guard lock(mutex_);
+    if (const std::optional<Diagnostic> found = excess()) refuse(*found);
+    begin_ = std::chrono::steady_clock::now();
+    what_ = "printing it";
+}
+
 void Watch::reached(const Rational& weight, const Rational& next, std::size_t terms) {
     const std::string step = fmt::format("weight {} reached with {} terms", to_string(weight), terms);
     if (static_cast<double>(terms) > limits_.terms)
@@ -90,7 +98,7 @@ std::optional<Diagnostic> Watch::excess() {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin_;
     if (time.count() > limits_.seconds)
         return exceeded(Reason::time, "--time-limit",
-                        fmt::format("a derivation takes at most {:g} s", limits_.seconds), step_,
+                        fmt::format("{} takes at most {:g} s", what_, limits_.seconds), step_,
                         larger_time(limits_.seconds, time.count()));
     if (const double used = resident_megabytes(); used > limits_.megabytes)
         return exceeded(Reason::memory, "--memory-limit",

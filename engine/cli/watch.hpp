@@ -19,7 +19,7 @@
 namespace resonform {
 
 struct DerivationLimits {
-    double seconds = 0;   // of one derivation; infinite: none
+    double seconds = 0;   // of one derivation, and of what is printed of it again; infinite: none
     double megabytes = 0; // resident memory of the program; infinite: none
     double terms = 0;     // of normal form and map together; infinite: none
     bool json = false;    // --format json: the error that ends the program is printed as a document, too
@@ -37,6 +37,9 @@ public:
     void enter(const std::string& step);
     // The same for a step after the certificate: "the solution".
     void go_on_with(const std::string& step);
+    // All is derived, what is printed is under way: the clock begins anew.
+    // Errors (refused): the limits were passed since the clock was last looked at.
+    void print();
     // A normal form has its certificate. `weight` as the user counts it.
     void certified(const std::string& weight);
     // A weight is complete, and `next` is the one under way. Errors (refused): more terms than the limit.
@@ -54,6 +57,7 @@ private:
     std::condition_variable changed_;
     std::string step_ = "reading the file";
     std::string certified_; // the message of certified(), a prefix for go_on_with()
+    std::string what_ = "a derivation"; // the clock runs for
     bool over_ = false;
     std::thread thread_; // last: it uses the others
 };

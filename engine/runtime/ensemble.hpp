@@ -179,8 +179,7 @@ private:
         return status;
     }
 
-    // Zero, or between 2^-24 and 2^24: only then does an emitted begin(), too, trust conditions of the start
-    // that were not computed in Scaled.
+    // Zero, or between 2^-24 and 2^24: products of less than forty such arguments stay in range.
     static kernel::Mask moderate(const kernel::Pack& x) {
         const kernel::Pack size = math::magnitude(x);
         return (x == kernel::Pack(0)) | ((size > kernel::Pack(0x1p-24)) & (size < kernel::Pack(0x1p24)));

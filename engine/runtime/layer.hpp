@@ -92,13 +92,6 @@ template <class Margins> bool all_clear(const Margins& margins) {
     return true;
 }
 
-// Finite, too.
-template <class Margins, class Real> bool all_above(const Real& least, const Margins& margins) {
-    for (const Real& margin : margins)
-        if (!(margin > least && math::finite(margin))) return false;
-    return true;
-}
-
 // Places at which margins are sampled: divisors pass zero within a layer, amplitudes grow and fall slowly.
 inline constexpr int layer_samples = 256, broad_layer_samples = 32;
 

@@ -284,6 +284,8 @@ template <> struct OneOf<kernel::Pack> { using type = double; };
 template <> struct OneOf<kernel::PackPair> { using type = Twice<double>; };
 template <> inline constexpr bool notes_range<kernel::Pack> = true;
 template <> inline constexpr bool notes_range<kernel::PackPair> = true;
+template <> struct RangeNotesOf<kernel::Pack> : RangeNotesOf<double> {};
+template <> struct RangeNotesOf<kernel::PackPair> : RangeNotesOf<double> {};
 template <> struct WideNumberOf<kernel::Pack> { using type = kernel::PackPair; };
 
 inline kernel::Pack spline(const Spline& of, int derivative, const kernel::Pack& x) {

@@ -59,10 +59,7 @@ public:
     }
 
 private:
-    int digit() {
-        const int c = *at_++;
-        return c - '#' - (c > '?' ? 1 : 0) - (c > '\\' ? 1 : 0);
-    }
+    int digit() { return digit_of[static_cast<unsigned char>(*at_++)]; }
     long long digits(int count) {
         long long n = 0;
         for (int k = 0; k < count; ++k) n = 90 * n + digit();
@@ -94,7 +91,9 @@ private:
         const int plus = digit(), minus = digit();
         Number x = with_number ? number() : Number(0);
         Number& to = next();
-        for (int k = 0; k < plus; ++k) x = with_number || k > 0 ? x + next() : next();
+        const bool starts = !with_number && plus > 0;
+        if (starts) x = next();
+        for (int k = starts ? 1 : 0; k < plus; ++k) x = x + next();
         for (int k = 0; k < minus; ++k) x = x - next();
         to = x;
     }
@@ -102,7 +101,8 @@ private:
         const int factors = digit();
         Number x = with_number ? number() : Number(1);
         Number& to = next();
-        for (int k = 0; k < factors; ++k) x = with_number || k > 0 ? x * next() : next();
+        if (!with_number) x = next();
+        for (int k = with_number ? 0 : 1; k < factors; ++k) x = x * next();
         to = x;
     }
     void long_number() {
@@ -156,6 +156,14 @@ private:
         if constexpr (uses(Of::hypot))
             if (f == Of::hypot) to = hypot(x, y);
     }
+
+    static constexpr std::array<unsigned char, 256> digit_of = [] {
+        std::array<unsigned char, 256> list{};
+        unsigned char n = 0;
+        for (unsigned char c = '#'; c < 0x7f; ++c)
+            if (c != '?' && c != '\\') list[c] = n++;
+        return list;
+    }();
 
     Number* places_;
     const Ratio* numbers_;

@@ -35,6 +35,7 @@
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
 #include "runtime/flow.hpp"
+#include "runtime/in_range.hpp"
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
@@ -461,8 +462,12 @@ private:
         if (!within(start.amplitude_x, 0x1p386)) return {Status::overflow, "amplitude_x"};
         if (!within(start.phase_x, 0x1p386)) return {Status::overflow, "phase_x"};
         compute_constants(eps, parameters, start, c);
-        if (within(eps, 0x1p24) && within(start.amplitude_x, 0x1p24) && within(start.phase_x, 0x1p24) && resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, parameters, start)))
-            return {};
+        const auto hold = [](const auto& e, const auto& p, const auto& s, bool& all) {
+            all = true;
+            for (const Real& condition : start_conditions<Real>(e, p, s)) all = all && condition > Real(0);
+        };
+        bool all = false; // in Real, unless a step leaves its range
+        if (resonform::in_range<Real>(hold, all, eps, parameters, start) && all) return {};
         const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);
         if (!(holds[0] > resonform::Scaled<Real>(0))) return {Status::outside_domain, "x"};
         return {};

@@ -20,6 +20,7 @@ namespace {
 constexpr const char* program_text = R"(
 #include "scene.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -28,11 +29,11 @@ constexpr const char* program_text = R"(
 #include <vector>
 
 using Scene = SCENE::Evaluator<double>;
-constexpr std::size_t n = 20000, starts = sizeof(Scene::Start) / sizeof(double), values = sizeof(Scene::Values) / sizeof(double);
+constexpr std::size_t starts = sizeof(Scene::Start) / sizeof(double), values = sizeof(Scene::Values) / sizeof(double);
 
-template <class Task> double least(const Task& task) {
+template <class Task> double least(std::size_t n, int repetitions, const Task& task) {
     double best = 1e300;
-    for (int r = 0; r < 9; ++r) {
+    for (int r = 0; r < repetitions; ++r) {
         const auto begin = std::chrono::steady_clock::now();
         task();
         best = std::min(best, std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
@@ -42,6 +43,9 @@ template <class Task> double least(const Task& task) {
 
 int main(int, char** argv) {
     const double one = std::atof(argv[1]);
+    Scene::Values first; // as many members as take 40 ms
+    const double ns = least(1, 9, [&] { Scene::at_end(one, {}, Scene::default_start(one, {}), 0.5 / one, first); });
+    const std::size_t n = std::clamp<std::size_t>(std::size_t(4e7 / ns), 64, 20000);
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> part(0, 1);
     std::vector<double> eps(n, one), t(n);
@@ -58,7 +62,7 @@ int main(int, char** argv) {
     for (std::size_t k = 0; k < starts; ++k) arrays[k + 1] = start[k].data();
     std::array<double*, values> to;
     for (std::size_t k = 0; k < values; ++k) to[k] = out[k].data();
-    const double alone = least([&] {
+    const double alone = least(n, 9, [&] {
         Scene::Values at;
         for (std::size_t i = 0; i < n; ++i) {
             Scene::at_end(one, {}, all[i], t[i], at);
@@ -70,7 +74,7 @@ int main(int, char** argv) {
         [full](auto& m) {
             if constexpr (requires { m.full_phase; }) m.full_phase = full;
         }(members);
-        times[full] = least([&] { std::apply([&](auto*... o) { Scene::ensemble(n, members, t.data(), o...); }, to); });
+        times[full] = least(n, 9, [&] { std::apply([&](auto*... o) { Scene::ensemble(n, members, t.data(), o...); }, to); });
     }
     std::printf("%.17g %.17g %.17g\n", alone, times[0], times[1]);
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/begin.hpp"
 
-#include "emit/cpp/constant_range.hpp"
+#include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/names.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 namespace resonform {
@@ -25,7 +24,6 @@ public:
 
 private:
     [[nodiscard]] std::string arguments() const;
-    [[nodiscard]] std::string moderate() const;
     [[nodiscard]] std::string conditions() const;
 
     const Program& program_;
@@ -56,27 +54,6 @@ std::string CppBegin::arguments() const {
     return text;
 }
 
-// Products of less than forty moderate arguments stay within the range of Real, where Scaled would compute
-// the same; what underflows does not matter to a result that is not small.
-std::string CppBegin::moderate() const {
-    std::vector<StraightLine::Value> values;
-    for (const CppCondition& condition : plan_.constant_conditions) values.push_back(condition.value);
-    const std::vector<Graph::Node> used = constant_range(plan_.code, values).limited;
-    std::string text;
-    const auto add = [&](Graph::Node symbol, const std::string& name) {
-        if (std::find(used.begin(), used.end(), symbol) != used.end())
-            text += fmt::format("within({}, 0x1p24) && ", name);
-    };
-    add(program_.eps, "eps");
-    for (std::size_t k = 0; k < plan_.parameters.size(); ++k)
-        add(program_.parameters[k].symbol, "parameters." + plan_.parameters[k]);
-    for (std::size_t k = 0; k < plan_.start.size(); ++k)
-        add(program_.start[k].symbol, "start." + plan_.start[k]);
-    return fmt::format("        if ({}resonform::all_above(Real(0x1p-30), start_conditions<Real>(eps, "
-                       "parameters, start)))\n            return {{}};\n",
-                       text);
-}
-
 // Checks of the constant conditions; none if keep_constants, which computes in Scaled, has checked them.
 std::string CppBegin::conditions() const {
     if (!plan_.range.native || plan_.constant_conditions.empty()) return "";
@@ -88,10 +65,7 @@ std::string CppBegin::conditions() const {
                                : fmt::format("(c.{} > Real(0))", plan_.members.at(condition.value)),
                            "outside_domain", condition.quantity);
     }
-    if (!plan_.conditions_apart) return text;
-    return moderate() +
-           "        const auto holds = start_conditions<resonform::Scaled<Real>>(eps, parameters, start);\n" +
-           text;
+    return plan_.conditions_apart ? std::string(frames::start_holds) + text : text;
 }
 
 std::string CppBegin::print() const {

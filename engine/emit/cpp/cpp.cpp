@@ -76,7 +76,7 @@ void add_headers(const Program& program, std::set<std::string>& names) {
     add(std::any_of(phases.begin(), phases.end(), decay), "decay");
     add(!plan.callables.empty(), "callable");
     add(!program.flow.empty(), "flow");
-    add(!plan.range.native, "in_range");
+    add(!plan.range.native || plan.conditions_apart, "in_range");
     add(!program.layers.empty(), "layer");
     add(!std::all_of(phases.begin(), phases.end(), decay), "phase");
     add(!program.has_tables(), "points");
