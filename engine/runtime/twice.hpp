@@ -66,6 +66,12 @@ template <class Real> struct Twice {
         const Twice r2 = r1 - b * Twice(q2);
         return sorted_sum(q1, q2) + Twice(r2.high / b.high);
     }
+    // By a number that is exact in Real: a third of a division.
+    friend Twice divided(const Twice& a, const Real& b) {
+        const Real q = a.high / b;
+        const Twice p = product(q, b);
+        return sorted_sum(q, (((a.high - p.high) - p.low) + a.low) / b);
+    }
     // A product would have to be split into halves, beyond the range.
     friend Twice scaled_by(const Twice& a, double power_of_two) {
         return {a.high * Real(power_of_two), a.low * Real(power_of_two)};
@@ -129,10 +135,10 @@ template <class Real> Twice<Real> pow(const Twice<Real>& x, const Twice<Real>& y
 template <class Real> Twice<Real> exp_less_one(const Twice<Real>& x) {
     int halvings = 3;
     for (Real size = x.high; size > Real(1); size = size / Real(2)) ++halvings;
-    const Twice<Real> small = x / Twice<Real>(math::power(Real(2), halvings));
+    const Twice<Real> small = divided(x, math::power(Real(2), halvings));
     Twice<Real> less_one(Real(0)), term(Real(1)); // keeps its leading digits
     for (int n = 1; n <= math::digits<Real> / 3 + 6; ++n) {
-        term = term * small / Twice<Real>(n);
+        term = divided(term * small, Real(n));
         less_one = less_one + term;
     }
     for (int i = 0; i < halvings; ++i) less_one = less_one * (less_one + Twice<Real>(2));
@@ -186,7 +192,7 @@ template <class Real> Twice<Real> sinh(const Twice<Real>& x) {
     }
     Number term = x, sum = x;
     for (int n = 2; n <= math::digits<Real> / 2 + 10; n += 2) {
-        term = term * x * x / Number(n * (n + 1));
+        term = divided(term * x * x, Real(n * (n + 1)));
         sum = sum + term;
     }
     return sum;
@@ -201,17 +207,17 @@ template <class Real> std::array<Twice<Real>, 2> sine_and_cosine(const Twice<Rea
     using Number = Twice<Real>;
     int halvings = 6;
     for (Real size = math::magnitude(x.high); size > Real(1); size = size / Real(2)) ++halvings;
-    const Number small = x / Number(math::power(Real(2), halvings));
+    const Number small = divided(x, math::power(Real(2), halvings));
     Number term = small, sine = small, cosine_less_one(Real(0));
     for (int n = 2; n <= math::digits<Real> / 3 + 4; n += 2) {
-        term = -(term * small / Number(n));
+        term = -divided(term * small, Real(n));
         cosine_less_one = cosine_less_one + term;
-        term = term * small / Number(n + 1);
+        term = divided(term * small, Real(n + 1));
         sine = sine + term;
     }
     for (int i = 0; i < halvings; ++i) {
-        sine = Number(2) * sine * (Number(1) + cosine_less_one);
-        cosine_less_one = Number(2) * cosine_less_one * (Number(2) + cosine_less_one);
+        sine = scaled_by(sine * (Number(1) + cosine_less_one), 2);
+        cosine_less_one = scaled_by(cosine_less_one * (Number(2) + cosine_less_one), 2);
     }
     return {sine, Number(1) + cosine_less_one};
 }
