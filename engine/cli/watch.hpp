@@ -56,7 +56,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::string step_ = "reading the file";
-    std::string certified_; // the message of certified(), a prefix for go_on_with()
+    std::string certified_;             // the message of certified(), a prefix for go_on_with()
     std::string what_ = "a derivation"; // the clock runs for
     bool over_ = false;
     std::thread thread_; // last: it uses the others
