@@ -35,11 +35,12 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 // The rates of a level depend on the columns of earlier levels; those of a flow, level 0, on its own.
 //
 //   static constexpr bool flow, nested;                    some rates need columns
-//   static constexpr bool steady;                          there are no columns, and rates of phases are
-//   constant static constexpr std::array<std::size_t, L> levels;    the number of columns of each static
-//   constexpr std::size_t columns, angles; static constexpr std::array<bool, angles> rounded;     the rate of
-//   a phase needs columns static constexpr std::array<bool, angles> decays;      it is an exponent static
-//   constexpr std::array<unsigned long long, angles> fades;   what turns with it decays with these
+//   static constexpr bool steady;                          there are no columns, and all rates are constant
+//   static constexpr std::array<std::size_t, L> levels;    the number of columns of each
+//   static constexpr std::size_t columns, angles;
+//   static constexpr std::array<bool, angles> rounded;     the rate of a phase needs columns
+//   static constexpr std::array<bool, angles> decays;      it is an exponent
+//   static constexpr std::array<unsigned long long, angles> fades;   what turns with it decays with these
 //   std::array<Real, columns> start() const;
 //   std::array<Real, levels[L]> rates(std::integral_constant<std::size_t, L>, const Real& T,
 //                                     const std::array<Real, columns>&) const;
