@@ -3,6 +3,8 @@
 // process of its own. Compiled beside a header in which statements are planted with gone(n) (deletions.hpp).
 #pragma once
 
+#include "runtime/in_range.hpp"
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,6 +35,13 @@ private:
     void fold(unsigned long long word) { hash_ = (hash_ ^ word) * 0x100000001b3ULL + (hash_ >> 29); }
     unsigned long long hash_ = 0xcbf29ce484222325ULL;
 };
+
+// As resonform::in_range, or no: then everything is computed in numbers of any range.
+inline bool ever_in_range = true;
+template <class Number, class Compute, class Result, class... Inputs>
+bool in_range(const Compute& compute, Result& result, const Inputs&... inputs) {
+    return ever_in_range && resonform::in_range<Number>(compute, result, inputs...);
+}
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double sentinel = 123.5;
@@ -125,6 +134,14 @@ template <class E, std::size_t outputs> struct Probe {
     }
 
     unsigned long long all() {
+        for (const bool in_range : {true, false}) {
+            ever_in_range = in_range;
+            add_all();
+        }
+        return digest.value();
+    }
+
+    void add_all() {
         const typename E::Parameters p{};
         for (const double eps : {0.05, 0.01, 0.13, 0.6}) {
             add_defaults(eps);
@@ -139,7 +156,6 @@ template <class E, std::size_t outputs> struct Probe {
         for (const double small : {1e-9, 1e-13, 1e-16}) add_point(small, p, usual, end);
         add_drawn(usual);
         vary(parameters, p, [&](const typename E::Parameters& q) { add_point(eps, q, usual, end); });
-        return digest.value();
     }
 
 private:
