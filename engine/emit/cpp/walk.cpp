@@ -49,33 +49,48 @@ char digit(std::size_t n) {
     return static_cast<char>(c);
 }
 
+std::vector<std::size_t> digits_of(std::size_t n, int count) {
+    std::vector<std::size_t> digits(static_cast<std::size_t>(count));
+    for (auto d = digits.rbegin(); d != digits.rend(); ++d, n /= base) *d = n % base;
+    return digits;
+}
+
 std::string in_digits(std::size_t n, int digits) {
-    std::string text(static_cast<std::size_t>(digits), digit(0));
-    for (auto c = text.rbegin(); c != text.rend(); ++c, n /= base) *c = digit(n % base);
+    std::string text;
+    for (const std::size_t d : digits_of(n, digits)) text += digit(d);
     return text;
 }
 
-// 2^exponent * sum of mantissas[k]/2^(53 k): the first is that of the double next to the number, and all
-// together are as many bits as binary_parts() has.
-struct LongNumber {
-    long exponent;
-    std::array<Integer, 7> mantissas;
-
+// value = 2^exponent * sum of mantissas()[k]/2^(53 k) to as many bits as binary_parts() has. The first term
+// is the double next to the value.
+class LongNumber {
+public:
     explicit LongNumber(const Rational& value)
-        : exponent(static_cast<long>(cln::integer_length(cln::abs(cln::numerator(value)))) -
-                   static_cast<long>(cln::integer_length(cln::denominator(value))) - 53) {
-        Rational rest = exponent < 0 ? value * (Integer(1) << -exponent) : value / (Integer(1) << exponent);
-        if (cln::abs(rest) >= Integer(1) << 53) { // one bit too many
-            rest = rest / 2;
-            ++exponent;
+        : exponent_(static_cast<long>(cln::integer_length(cln::abs(cln::numerator(value)))) -
+                    static_cast<long>(cln::integer_length(cln::denominator(value))) - 53),
+          scaled_(exponent_ < 0 ? value * (Integer(1) << -exponent_) : value / (Integer(1) << exponent_)) {
+        if (cln::abs(scaled_) >= Integer(1) << 53) { // one bit too many
+            scaled_ = scaled_ / 2;
+            ++exponent_;
         }
-        for (Integer& mantissa : mantissas) {
+    }
+    [[nodiscard]] long exponent() const { return exponent_; }
+    // Does the exponent fit two digits, of which half are for negative ones?
+    [[nodiscard]] bool fits() const { return std::abs(exponent_) < static_cast<long>(base * base / 2); }
+    // Each is the whole number next to what those before it leave.
+    [[nodiscard]] std::array<Integer, 7> mantissas() const {
+        std::array<Integer, 7> result;
+        Rational rest = scaled_;
+        for (Integer& mantissa : result) {
             mantissa = cln::round1(rest);
             rest = (rest - mantissa) * (Integer(1) << 53);
         }
+        return result;
     }
-    // Does the exponent fit two digits, of which half are for negative ones?
-    [[nodiscard]] bool fits() const { return std::abs(exponent) < static_cast<long>(base * base / 2); }
+
+private:
+    long exponent_;
+    Rational scaled_; // value/2^exponent, of 53 bits before its point
 };
 
 // First in symbols, for the number of digits depends on how many places there are.
@@ -164,16 +179,13 @@ private:
         return place;
     }
     void put_long_number(const LongNumber& number, std::size_t to) {
-        const auto put_digits = [this](Integer n, int count) {
-            std::vector<std::size_t> list;
-            for (; count > 0; --count, n = cln::floor1(n, Integer(base)))
-                list.push_back(static_cast<std::size_t>(cln::cl_I_to_ulong(cln::mod(n, Integer(base)))));
-            for (auto d = list.rbegin(); d != list.rend(); ++d) put_digit(*d);
+        const auto put_digits = [this](const Integer& n, int count) {
+            for (const std::size_t d : digits_of(cln::cl_I_to_ulong(n), count)) put_digit(d);
         };
         put(Walked::long_number);
         put_index(to);
-        put_digits(Integer(number.exponent) + static_cast<long>(base * base / 2), 2);
-        for (const Integer& mantissa : number.mantissas) put_digits(mantissa + (Integer(1) << 53), 9);
+        put_digits(Integer(number.exponent()) + static_cast<long>(base * base / 2), 2);
+        for (const Integer& mantissa : number.mantissas()) put_digits(mantissa + (Integer(1) << 53), 9);
     }
     void put_sum(std::size_t plus, std::size_t minus, const Rational* number, std::size_t to) {
         put(number != nullptr ? Walked::sum_and_number : Walked::sum);
