@@ -19,7 +19,7 @@
 namespace resonform {
 
 struct DerivationLimits {
-    double seconds = 0;   // of one derivation, and of what is printed of it again; infinite: none
+    double seconds = 0;   // for one derivation, and as many again to print its result; infinite: none
     double megabytes = 0; // resident memory of the program; infinite: none
     double terms = 0;     // of normal form and map together; infinite: none
     bool json = false;    // --format json: the error that ends the program is printed as a document, too
@@ -37,7 +37,7 @@ public:
     void enter(const std::string& step);
     // The same for a step after the certificate: "the solution".
     void go_on_with(const std::string& step);
-    // All is derived, what is printed is under way: the clock begins anew.
+    // The derivation is done and printing begins: the clock starts again at 0.
     // Errors (refused): the limits were passed since the clock was last looked at.
     void print();
     // A normal form has its certificate. `weight` as the user counts it.

@@ -28,7 +28,7 @@ public:
     using Mask = kernel::Mask;
     std::array<Pack, Course::columns> tables{};
     std::array<Pack, Course::angles> cosine{}, sine{};
-    bool in_range = true; // of a double, whatever is computed once, for all members
+    bool in_range = true; // false: the constants of some member left the range of a double
 
     PackedEnd(const Course& course, const Pack& eps, const Pack& t) : course_(course), eps_(eps), t_(t) {}
 
@@ -230,9 +230,9 @@ private:
         return some;
     }
 
-    // The outputs of all lanes, and the members that are answered; `status` is ok if all outputs of all lanes
-    // are and what is computed once has stayed in range. Not inlined: a member has the same bits whether it
-    // is computed among others or alone.
+    // Sets the outputs of all lanes; returns the members that are answered. `status` is ok if every lane's
+    // outputs are and no lane's constants left the range of a double. Not inlined, so that a member has the
+    // same bits whether it is computed among others or alone.
     template <class Packed, std::size_t Count>
     [[gnu::noinline, gnu::flatten]] static kernel::Mask compute(const Gathered<Packed>& some, bool full_phase,
                                                                 std::array<kernel::Pack, Count>& values,

@@ -4,7 +4,7 @@
 //
 //   1e200 * 1e200, 1e-200 * 1e-200, 0.0/0.0   ->   not in range       1e-200 - 1e-200   ->   in range
 //
-// What it has noted before, and what it would do then, is put aside meanwhile and is as before afterwards.
+// The caller's floating-point flags and traps are saved before and restored afterwards.
 #ifndef RESONFORM_RUNTIME_IN_RANGE
 #define RESONFORM_RUNTIME_IN_RANGE
 

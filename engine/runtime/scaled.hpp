@@ -27,7 +27,7 @@ template <class Number> struct Scaled {
         if (!(size < Number(0x1p300) && size > Number(0x1p-300))) put_in_range();
     }
 
-    // Moves powers of 2^600 from the mantissa to the exponent; 0 and what is not finite have the exponent 0.
+    // Moves powers of 2^600 from the mantissa to the exponent. Zero, NaN and infinity get the exponent 0.
     void put_in_range() {
         using math::scaled_by;
         const auto size = [this] { return math::magnitude(mantissa); };
