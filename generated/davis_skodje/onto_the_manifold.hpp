@@ -145,6 +145,11 @@ private:
     static constexpr std::array<Real Start::*, 2> start_fields{&Start::x_0, &Start::y_0};
     static constexpr std::array<const Real* Members::*, 2> start_arrays{&Members::x_0, &Members::y_0};
 
+    // How far the start is from where a state rests, in Number: of twice the digits, for they cancel.
+    template <class Number> static Number difference_1(const Number& x_0, const Number& y_0) {
+        return Number(y_0 - x_0 * (Number(1) / (Number(1) + x_0)));
+    }
+
     // What is computed once.
     template <class Number> struct Constants {
         Number x_0{};
@@ -162,7 +167,7 @@ private:
         c.c_2 = -(Number(1) / eps);
         const Number y_0 = Number(start.y_0);
         c.c_3 = Number(1) + c.x_0;
-        c.u_y = y_0 - c.x_0 * (Number(1) / c.c_3);
+        c.u_y = Number(Evaluator::difference_1(resonform::WideNumber<Number>(c.x_0), resonform::WideNumber<Number>(y_0)));
     }
 
     // The slow flow: dx/dT

@@ -148,6 +148,11 @@ private:
     static constexpr std::array<Real Start::*, 2> start_fields{&Start::s_0, &Start::c_0};
     static constexpr std::array<const Real* Members::*, 2> start_arrays{&Members::s_0, &Members::c_0};
 
+    // How far the start is from where a state rests, in Number: of twice the digits, for they cancel.
+    template <class Number> static Number difference_1(const Number& s_0, const Number& c_0) {
+        return Number(c_0 - s_0 * (Number(1) / (Number(1) + s_0)));
+    }
+
     // What is computed once.
     template <class Number> struct Constants {
         Number eps{};
@@ -301,7 +306,7 @@ private:
         w.k_2 = w.k_1 * w.k_1;
         w.k_3 = w.k_2 * w.k_2;
         w.c_0 = Number(start.c_0);
-        w.k_4 = w.c_0 - w.s_0 * w.k_1;
+        w.k_4 = Number(Evaluator::difference_1(resonform::WideNumber<Number>(w.s_0), resonform::WideNumber<Number>(w.c_0)));
         w.k_5 = w.s_0 * (Number(1) - Number(1) / Number(6) * w.k_4) + Number(9) / Number(4) - Number(5) / Number(8) * w.k_4;
         w.k_6 = c.eps * w.k_5 + w.s_0 * (Number(11) / Number(8) + Number(1) / Number(4) * w.s_0) + Number(25) / Number(8);
         w.k_7 = w.k_4 * w.k_6 + w.s_0 * (-w.s_0 - Number(19) / Number(4)) + Number(5) / Number(2) * c.eps - Number(9);

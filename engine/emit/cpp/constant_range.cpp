@@ -72,6 +72,7 @@ Size size_of(const StraightLine::Instruction& i, const std::vector<Size>& x) {
         for (const Size& factor : x) result = {result.above + factor.above, result.below + factor.below};
         return result;
     case StraightLine::Op::reciprocal: return {x[0].below, x[0].above};
+    case StraightLine::Op::doubled:
     case StraightLine::Op::root: return x[0]; // less, but for Newton's step
     default: return size_of_function(i.function, x);
     }

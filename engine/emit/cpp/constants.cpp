@@ -20,10 +20,15 @@ class CppConstants {
 public:
     explicit CppConstants(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
-    std::string print() { return constants() + kept_constants() + start_conditions(); }
+    // What the conditions use is lowered before.
+    std::string print() {
+        const std::string text = constants() + kept_constants() + start_conditions();
+        return differences() + text;
+    }
 
 private:
     void know_arguments(CppFunction& function);
+    [[nodiscard]] std::string differences() const;
     std::string constants();
     std::string kept_constants() const;
     std::vector<std::string> kept_lines() const;
@@ -41,6 +46,33 @@ void CppConstants::know_arguments(CppFunction& function) {
     for (std::size_t k = 0; k < program_.start.size(); ++k)
         function.define(plan_.code.lower(program_.start[k].symbol), program_.start[k].name,
                         "Number(start." + plan_.start[k] + ")");
+}
+
+// Differences of start values and where a state rests, in the type that is asked for.
+std::string CppConstants::differences() const {
+    std::string text;
+    const std::map<Graph::Node, std::string> inputs = plan_.input_names();
+    for (const Value v : plan_.code.doubled()) {
+        CppFunction function(plan_.code, "Number", "q", plan_.lies);
+        std::vector<std::pair<std::string, std::string>> parameters;
+        for (const Value symbol : plan_.code.sources(v)) {
+            const std::string& wish = inputs.at(plan_.code.at(symbol).symbol);
+            parameters.emplace_back("const Number&", function.know_as(symbol, wish));
+        }
+        const Value difference = plan_.code.at(v).operands.front();
+        function.compute({difference}, true);
+        text += function.print({"template <class Number> static",
+                                "Number",
+                                cpp_difference_name(plan_.code, v),
+                                parameters,
+                                {},
+                                {fmt::format("return Number({});", function.text(difference))}}) +
+                "\n";
+    }
+    if (text.empty()) return "";
+    return "    // How far the start is from where a state rests, in Number: of twice the digits, for they "
+           "cancel.\n" +
+           text;
 }
 
 std::string CppConstants::constants() {

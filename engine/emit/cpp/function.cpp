@@ -81,14 +81,19 @@ std::string names_of(const Parameters& parameters) {
 
 } // namespace
 
+std::string cpp_difference_name(const StraightLine& code, Value doubled) {
+    const std::vector<Value>& all = code.doubled();
+    return fmt::format("difference_{}", std::find(all.begin(), all.end(), doubled) - all.begin() + 1);
+}
+
 void CppFunction::compute(const std::vector<Value>& roots, bool through_constants) {
-    const std::vector<Value> order = code_->behind(roots, through_constants);
+    const std::vector<Value> order = code_->behind_doubled(roots, through_constants);
     if (may_walk_ && walk(order, roots)) return;
     std::map<Value, int> uses;
     for (const Value root : roots) uses[root] += 1;
     for (const Value v : order)
         if (code_->at(v).varying || through_constants)
-            for (const Value operand : code_->at(v).operands) uses[operand] += 1;
+            for (const Value operand : code_->sources(v)) uses[operand] += 1;
     in_pieces_ = std::count_if(order.begin(), order.end(), [&](Value v) { return texts_.count(v) == 0; }) >
                  longest_function;
     for (const Value v : order)
@@ -110,13 +115,13 @@ bool CppFunction::walk(const std::vector<Value>& order, const std::vector<Value>
     walk_ = cpp_walk(*code_, order, known, roots);
     if (!walk_) return false;
     for (const auto& [v, place] : walk_->inputs) {
-        const auto text = texts_.find(v);
+        const auto known = texts_.find(v);
         const auto given = given_.find(v);
-        statements_.push_back({fmt::format("w[{}]", place),
-                               text != texts_.end()    ? text->second.text
-                               : given != given_.end() ? given->second.second
-                                                       : number(code_->at(v).number).text,
-                               false});
+        const std::string text = known != texts_.end()   ? known->second.text
+                                 : given != given_.end() ? given->second.second
+                                                         : expression(v).text;
+        statements_.push_back({fmt::format("w[{}]", place), text, false});
+        texts_[v] = {statements_.back().target, Level::atom};
     }
     for (const Value v : roots) texts_[v] = {fmt::format("w[{}]", walk_->place_of.at(v)), Level::atom};
     return true;
@@ -230,12 +235,23 @@ CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) c
     return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), Level::atom};
 }
 
+CppFunction::Text CppFunction::doubled(Value v) const {
+    std::vector<std::string> arguments;
+    for (const Value symbol : code_->sources(v))
+        arguments.push_back(fmt::format("resonform::WideNumber<{}>({})", type_, texts_.at(symbol).text));
+    // a name of the caller's own may be the same
+    return {fmt::format("{}(Evaluator::{}({}))", type_, cpp_difference_name(*code_, v),
+                        fmt::join(arguments, ", ")),
+            Level::atom};
+}
+
 CppFunction::Text CppFunction::expression(Value v) const {
     const StraightLine::Instruction& i = code_->at(v);
     switch (i.op) {
     case StraightLine::Op::number: return number(i.number);
     case StraightLine::Op::add: return sum_of(i);
     case StraightLine::Op::multiply: return product_of(i);
+    case StraightLine::Op::doubled: return doubled(v);
     case StraightLine::Op::reciprocal:
         if (i.varying) return {fmt::format("per({})", texts_.at(i.operands.front()).text), Level::atom};
         return {fmt::format("{}(1) / {}", type_, operand(i.operands.front(), Level::atom)), Level::product};

@@ -16,6 +16,9 @@
 
 namespace resonform {
 
+// Of the function that computes a doubled value from its symbols.
+std::string cpp_difference_name(const StraightLine& code, StraightLine::Value doubled);
+
 class CppFunction {
 public:
     // type: the number type of its statements; prefix: of names for nameless values; lies: where its
@@ -25,6 +28,12 @@ public:
 
     // A value that need not be computed: `text` stands for it.
     void know(StraightLine::Value v, const std::string& text) { texts_[v] = {text, Level::atom}; }
+    // The same, with a name like this one, which is returned.
+    std::string know_as(StraightLine::Value v, const std::string& wish) {
+        const std::string name = names_.unique(wish);
+        know(v, name);
+        return name;
+    }
     // A value computed by `expression`, as a statement of the name `wish`, if something uses it.
     void define(StraightLine::Value v, const std::string& wish, const std::string& expression) {
         given_[v] = {wish, expression};
@@ -72,6 +81,7 @@ private:
     bool walk(const std::vector<StraightLine::Value>& order, const std::vector<StraightLine::Value>& roots);
     void compute_one(StraightLine::Value v, int uses);
     [[nodiscard]] Text expression(StraightLine::Value v) const;
+    [[nodiscard]] Text doubled(StraightLine::Value v) const;
     [[nodiscard]] Text sum_of(const StraightLine::Instruction& i) const;
     [[nodiscard]] Text product_of(const StraightLine::Instruction& i) const;
     [[nodiscard]] Text function_of(const StraightLine::Instruction& i) const;

@@ -69,6 +69,13 @@ CppNames CppPlan::names_beside_callables() const {
     return names;
 }
 
+std::map<Graph::Node, std::string> CppPlan::input_names() const {
+    std::map<Graph::Node, std::string> names{{program->eps, "eps"}};
+    for (const std::vector<ProgramInput>* list : {&program->parameters, &program->start})
+        for (const ProgramInput& input : *list) names[input.symbol] = input.name;
+    return names;
+}
+
 std::string CppPlan::callable_list(const char* form) const {
     std::string text;
     for (const CppCallable& callable : callables)
@@ -233,10 +240,7 @@ void CppPlan::find_members(bool conditions) {
     if (conditions)
         for (const CppCondition& condition : constant_conditions) all.push_back(condition.value);
 
-    std::map<Graph::Node, std::string> inputs{{program->eps, "eps"}};
-    for (const std::vector<ProgramInput>* list : {&program->parameters, &program->start})
-        for (const ProgramInput& input : *list) inputs[input.symbol] = input.name;
-
+    const std::map<Graph::Node, std::string> inputs = input_names();
     std::set<Value> in_any_case(phase_starts.begin(), phase_starts.end()); // whatever they are
     in_any_case.insert(flow_starts.begin(), flow_starts.end());
     for (const Growth& growth : growths) in_any_case.insert(growth.factor);

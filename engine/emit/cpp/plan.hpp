@@ -109,6 +109,8 @@ struct CppPlan {
     [[nodiscard]] std::string callable_list(const char* form) const;
     // The exponents with which all decays that turns with a phase: indices of program.phases.
     [[nodiscard]] std::vector<std::size_t> fades_with(std::size_t phase) const;
+    // Of eps, parameters and start values, by their symbols.
+    [[nodiscard]] std::map<Graph::Node, std::string> input_names() const;
     // A phase is as exact as the tables or the flow in its rate.
     [[nodiscard]] bool rounded_phases() const;
 

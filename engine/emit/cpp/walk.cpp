@@ -123,7 +123,7 @@ public:
 private:
     [[nodiscard]] bool is_number(Value v) const { return code_.at(v).op == Op::number; }
     [[nodiscard]] bool is_input(Value v) const {
-        if (known_.contains(v)) return true;
+        if (known_.contains(v) || code_.at(v).op == Op::doubled) return true;
         return is_number(v) && !is_short_number(v) && !LongNumber(code_.at(v).number).fits();
     }
     // A number that is written where it is used.

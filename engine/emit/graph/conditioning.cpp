@@ -78,7 +78,8 @@ SignSet signs_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>&
     case Graph::Op::log1p:
     case Graph::Op::sinh:
     case Graph::Op::asinh:
-    case Graph::Op::erf: return operand(0);
+    case Graph::Op::erf:
+    case Graph::Op::doubled: return operand(0);
     case Graph::Op::power: {
         SignSet signs = e.exponent % 2 == 0 ? operand(0).square() : operand(0);
         signs.zero = signs.zero && e.exponent > 0;

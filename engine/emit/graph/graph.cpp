@@ -125,9 +125,35 @@ Graph::Node Graph::add(std::vector<Node> operands) {
     return intern(std::move(e));
 }
 
-Graph::Node Graph::whole(Node sum) {
-    if (at(sum).op == Op::add) whole_.insert(sum);
-    return sum;
+// Whether it is a double, or the negative of one: a difference of two that are close is exact.
+bool Graph::is_exact_term(Node n) const {
+    const Entry& e = at(n);
+    if (e.op == Op::symbol) return true;
+    if (e.op == Op::multiply)
+        return e.operands.size() == 2 && is_rational(e.operands[0], -1) && is_exact_term(e.operands[1]);
+    return e.op == Op::rational && cln::integer_length(cln::numerator(e.value)) <= 53 &&
+           cln::logcount(cln::denominator(e.value)) == 1;
+}
+
+// Data and functions of the user are known to the digits of the type only.
+bool Graph::can_be_doubled(Node n) const {
+    const Entry& e = at(n);
+    return e.op != Op::spline && e.op != Op::callable &&
+           std::all_of(e.operands.begin(), e.operands.end(), [this](Node x) { return can_be_doubled(x); });
+}
+
+Graph::Node Graph::difference(Node sum) {
+    const std::vector<Node> terms = at(sum).operands;
+    if (at(sum).op != Op::add) return sum;
+    if (!can_be_doubled(sum) ||
+        std::all_of(terms.begin(), terms.end(), [this](Node term) { return is_exact_term(term); })) {
+        whole_.insert(sum);
+        return sum;
+    }
+    Entry e;
+    e.op = Op::doubled;
+    e.operands = {sum};
+    return intern(std::move(e));
 }
 
 void Graph::collect(Node n, int exponent, Factors& factors, Rational& coefficient) {

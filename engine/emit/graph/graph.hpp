@@ -44,7 +44,8 @@ public:
         atan2,            // (y, x)
         sqrt_sum_squares, // hypot(a, b)
         spline,           // derivative of data
-        callable          // derivative of a function that is given to emitted code
+        callable,         // derivative of a function that is given to emitted code
+        doubled           // its operand, computed in twice the digits
     };
     struct Entry {
         Op op = Op::rational;
@@ -62,10 +63,12 @@ public:
     Node rational(const Rational& value);
     Node symbol(const std::string& name);
     Node add(std::vector<Node> operands); // flattens, folds rationals, collects equal terms
-    // A sum that stays one term of the sums to which it is added: a difference that is small beside its own
-    // terms, and meets a small one.
-    //   d = whole(c - k_4);  add({k, d})   ->   k + (c - k_4),  not (c + k) - k_4
-    Node whole(Node sum);
+    // A difference that is small beside its own terms, and meets a small one: it stays one term of the sums
+    // to which it is added, and is computed in twice the digits if a term is rounded. No symbol in it may
+    // vary.
+    //   d = difference(c - s/(k + s));  add({e, d})   ->   e + doubled(c - s/(k + s)),  not (c + e) - s/(k +
+    //   s)
+    Node difference(Node sum);
     Node
     multiply(const std::vector<Node>& operands); // flattens, folds rationals, collects equal bases; 0 absorbs
     Node negate(Node n) { return multiply({rational(-1), n}); }
@@ -86,6 +89,8 @@ private:
     Node intern_power(Node base, int exponent);
     std::pair<Rational, Node> split_coefficient(Node n);
     std::optional<Node> beside_one(Node n);
+    [[nodiscard]] bool is_exact_term(Node n) const;
+    [[nodiscard]] bool can_be_doubled(Node n) const;
     Node intern(Entry entry);
 
     std::vector<Entry> entries_;

@@ -154,7 +154,7 @@ Graph::Node measured_from(Graph& graph, Graph::Node state, const Lowering& at, c
                           const Polynomial& shift) {
     if (shift.empty()) return state;
     Lowering lowering = at;
-    return graph.whole(graph.add({state, graph.negate(lowering.polynomial(real(shift).re))}));
+    return graph.difference(graph.add({state, graph.negate(lowering.polynomial(real(shift).re))}));
 }
 
 Polynomial over_eps(const RealForm& real, const Polynomial& p, int power) {

@@ -57,6 +57,12 @@ StraightLine::Value StraightLine::lower(Graph::Node n) {
     case Graph::Op::add: value = add(e); break;
     case Graph::Op::multiply: value = multiply(e); break;
     case Graph::Op::power: value = chain(lower(e.operands.front()), e.exponent); break;
+    case Graph::Op::doubled:
+        i.op = Op::doubled;
+        i.operands = {lower(e.operands.front())};
+        value = append(std::move(i));
+        doubled_.push_back(value);
+        break;
     case Graph::Op::root:
         i.op = Op::root;
         i.index = e.exponent;
@@ -206,8 +212,9 @@ StraightLine::Value StraightLine::chain(Value base, int exponent) {
     return product({half, half});
 }
 
-std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& roots,
-                                                      bool through_constants) const {
+template <class Operands>
+std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& roots, bool through_constants,
+                                                      const Operands& operands) const {
     std::vector<bool> used(size(), false);
     for (const Value root : roots) used[static_cast<std::size_t>(root)] = true;
     std::vector<Value> result;
@@ -215,11 +222,29 @@ std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& 
         if (!used[v - 1]) continue;
         result.push_back(static_cast<Value>(v - 1));
         if (!instructions_[v - 1].varying && !through_constants) continue;
-        for (const Value operand : instructions_[v - 1].operands)
+        for (const Value operand : operands(static_cast<Value>(v - 1)))
             used[static_cast<std::size_t>(operand)] = true;
     }
     std::reverse(result.begin(), result.end());
     return result;
+}
+
+std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& roots,
+                                                      bool through_constants) const {
+    return behind(roots, through_constants,
+                  [this](Value v) -> const std::vector<Value>& { return at(v).operands; });
+}
+
+std::vector<StraightLine::Value> StraightLine::behind_doubled(const std::vector<Value>& roots,
+                                                              bool through_constants) const {
+    return behind(roots, through_constants, [this](Value v) { return sources(v); });
+}
+
+std::vector<StraightLine::Value> StraightLine::sources(Value v) const {
+    if (at(v).op != Op::doubled) return at(v).operands;
+    std::vector<Value> symbols = behind(at(v).operands, true);
+    std::erase_if(symbols, [this](Value below) { return at(below).op != Op::symbol; });
+    return symbols;
 }
 
 OperationCount count_operations(const Program& program) {
@@ -239,6 +264,7 @@ OperationCount count_operations(const Program& program) {
         case StraightLine::Op::reciprocal: count.divide += 1; break;
         case StraightLine::Op::root: count.root += 1; break;
         case StraightLine::Op::function: count.other += 1; break;
+        case StraightLine::Op::doubled: // a constant
         case StraightLine::Op::number:
         case StraightLine::Op::symbol: break;
         }

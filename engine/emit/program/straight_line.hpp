@@ -19,7 +19,8 @@ namespace resonform {
 class StraightLine {
 public:
     using Value = int; // index of an instruction; operands come before their users
-    enum class Op { number, symbol, add, multiply, reciprocal, root, function };
+    // doubled: its operand, computed in twice the digits from the symbols on.
+    enum class Op { number, symbol, add, multiply, reciprocal, root, function, doubled };
     struct Instruction {
         Op op = Op::number;
         Rational number;                     // number
@@ -48,6 +49,13 @@ public:
     // The instructions that some values need, ascending; constant operands of varying values are included,
     // their own operands only if through_constants.
     [[nodiscard]] std::vector<Value> behind(const std::vector<Value>& roots, bool through_constants) const;
+    // The same, but of a doubled value the symbols it is computed from.
+    [[nodiscard]] std::vector<Value> behind_doubled(const std::vector<Value>& roots,
+                                                    bool through_constants) const;
+    // What a value is computed from; of a doubled one: symbols.
+    [[nodiscard]] std::vector<Value> sources(Value v) const;
+    // The doubled values, in the order in which they were lowered.
+    [[nodiscard]] const std::vector<Value>& doubled() const { return doubled_; }
 
 private:
     struct RootPower { // base^exponent
@@ -61,6 +69,9 @@ private:
     std::vector<Value> root_powers(std::vector<Graph::Node>& factors);
     [[nodiscard]] RootPower root_power(Graph::Node n) const;
     void gather_constants(std::vector<Value>& plus, std::vector<Value>& minus);
+    template <class Operands>
+    [[nodiscard]] std::vector<Value> behind(const std::vector<Value>& roots, bool through_constants,
+                                            const Operands& operands) const;
     [[nodiscard]] bool any_varying(const std::vector<Value>& operands) const;
 
     Graph graph_;
@@ -69,6 +80,7 @@ private:
     std::map<Graph::Node, Value> lowered_;
     std::map<std::string, Value> index_;
     std::vector<Instruction> instructions_;
+    std::vector<Value> doubled_;
 };
 
 // The operations of one call of the outputs, as emitted.

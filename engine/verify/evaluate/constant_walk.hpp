@@ -57,6 +57,7 @@ private:
             return result;
         case StraightLine::Op::reciprocal: return Wide(1) / x(0);
         case StraightLine::Op::root: return i.index == 2 ? sqrt(x(0)) : root(x(0), i.index);
+        case StraightLine::Op::doubled: return x(0); // only its range is asked
         case StraightLine::Op::function: break;
         }
         if (i.data != nullptr) return spline(spline_of(*i.data), i.index, x(0));

@@ -6,10 +6,12 @@
 #include "emit/graph/graph.hpp"
 #include "runtime/math.hpp"
 #include "runtime/scaled.hpp"
+#include "runtime/twice.hpp"
 #include "verify/evaluate/graph_function.hpp"
 #include "verify/run/spline.hpp"
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace resonform {
@@ -21,6 +23,18 @@ template <class Number> Number to_number(const BinaryParts& binary) {
 template <class Number> Number to_number(const Rational& value) {
     return to_number<Number>(binary_parts(value));
 }
+
+// The number of twice the digits.
+template <class Number> struct Doubling {
+    using Wide = WideNumber<Number>;
+    static Wide doubled(const Number& x) { return Wide(x); }
+    static Number rounded(const Wide& x) { return Number(x); }
+};
+template <class Number> struct Doubling<Scaled<Number>> {
+    using Wide = Scaled<WideNumber<Number>>;
+    static Wide doubled(const Scaled<Number>& x) { return {WideNumber<Number>(x.mantissa), x.exponent}; }
+    static Scaled<Number> rounded(const Wide& x) { return {Number(x.mantissa), x.exponent}; }
+};
 
 template <class Number> class GraphWalk {
 public:
@@ -95,9 +109,34 @@ private:
             return e.exponent < 0 ? per(result) : result;
         case Graph::Op::root: return e.exponent == 2 ? Number(sqrt(x(0))) : root(x(0), e.exponent);
         case Graph::Op::spline: return spline(spline_of(*e.data), e.exponent, x(0));
+        case Graph::Op::doubled: return doubled(e.operands.front());
         default: return graph_function(e.op, x(0), x(e.operands.size() - 1));
         }
         return result;
+    }
+
+    // A node in twice the digits, from the symbols on.
+    [[nodiscard]] Number doubled(Graph::Node n) const {
+        using Both = Doubling<Number>;
+        if constexpr (std::is_same_v<typename Both::Wide, Number>) {
+            return (*this)[n];
+        } else {
+            GraphWalk<typename Both::Wide> walk(*graph_, numbers_);
+            std::vector<bool> needed(static_cast<std::size_t>(n) + 1, false);
+            needed.back() = true;
+            for (Graph::Node below = n; below >= 0; --below)
+                if (needed[static_cast<std::size_t>(below)])
+                    for (const Graph::Node x : graph_->at(below).operands)
+                        needed[static_cast<std::size_t>(x)] = true;
+            for (Graph::Node below = 0; below <= n; ++below) {
+                if (!needed[static_cast<std::size_t>(below)]) continue;
+                if (graph_->at(below).op == Graph::Op::symbol)
+                    walk.set(below, Both::doubled((*this)[below]));
+                else
+                    walk.compute({below});
+            }
+            return Both::rounded(walk[n]);
+        }
     }
 
     [[nodiscard]] Number bound(Graph::Node n, const GraphWalk& bounds) const {

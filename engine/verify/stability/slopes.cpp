@@ -40,6 +40,7 @@ Wide slope(const Graph& graph, Graph::Node n, const Values& values, std::size_t 
     const Wide &value = value_at(values, n), &x = value_at(values, e.operands[k]);
     switch (e.op) {
     case Graph::Op::add: return 1;
+    case Graph::Op::doubled: return 0; // how its operand is rounded does not reach it
     case Graph::Op::multiply: {
         Wide others = 1;
         for (std::size_t j = 0; j < e.operands.size(); ++j)

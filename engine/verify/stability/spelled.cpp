@@ -69,6 +69,7 @@ public:
             return {fmt::format("{}^(1/{})", within(phrase(e.operands.front(), below - 1), Binding::atom),
                                 e.exponent),
                     Binding::power};
+        case Graph::Op::doubled: return phrase(e.operands.front(), below, true);
         case Graph::Op::spline: return call(e.data->name + std::string(primes(e), '\''), e, below - 1);
         case Graph::Op::callable: return call(e.name + std::string(primes(e), '\''), e, below - 1);
         default: return call(function_name(e.op), e, below - 1);
