@@ -65,5 +65,20 @@ TEST_F(AboutEquilibrium, IsSweptFromStartsAroundIt) {
     EXPECT_GT(swept.compared, swept.cases / 2);
 }
 
+// Where it rests is rounded, at k = 10^7 to as much as 10^-9: starts are within 10^-12 of it.
+TEST_F(AboutEquilibrium, IsSweptFromStartsAroundARoundedOne) {
+    const std::string well = "[parameters]\nk = { positive = true }\n[variables]\nx = { role = \"fast\" }\n"
+                             "[equilibrium]\nx = \"k + 1/k\"\n[equations]\n"
+                             "x = \"x'' + (x - k - 1/k) + (x - k - 1/k)^3 = 0\"\n";
+    const test::SceneLine line = test::line_of(
+        scene(well, "order = 1\n[fix]\nk = 3\n[start]\nx = \"k + 1/k + 0.3*eps\"\n\"x'\" = \"eps\"\n"));
+    StabilityOptions options;
+    static_cast<VerifyOptions&>(options) = test::options();
+    const Stability swept = stability(line.scene, line.solution, options);
+    EXPECT_EQ(swept.verdict, Verdict::pass) << swept.rule;
+    EXPECT_GT(swept.compared, swept.cases / 4);
+    for (const WorstPoint& w : swept.worst) EXPECT_LT(w.ulp, 16);
+}
+
 } // namespace
 } // namespace resonform

@@ -33,7 +33,7 @@ Section stability_section(const Findings& f, const Figures& figures) {
         std::vector<std::string> at;
         for (const auto& [name, value] : point.at)
             at.push_back(fmt::format("{} = {}", pretty(name), short_number(value)));
-        worst.rows.push_back({pretty(point.output), short_number(point.ulp), short_number(point.unavoidable),
+        worst.rows.push_back({pretty(point.output), short_number(point.ulp), short_number(point.left_open()),
                               fmt::format("{}", fmt::join(at, ", "))});
     }
     Table median{"Median", {"output", "ulp"}, {}};
@@ -53,8 +53,8 @@ Section stability_section(const Findings& f, const Figures& figures) {
              "answered with a status, of them {} that nothing explains (at most {:.0f} % may be); {} more "
              "are "
              "beyond the reference. Errors in ulp of the output's scale, the sum of its terms' magnitudes; "
-             "the threshold is {:g}, and as many times more as one last bit of all inputs makes "
-             "unavoidable.",
+             "the threshold is {:g} times 1 + what a last bit of the slow time makes unavoidable, or, from a "
+             "condition number of 10⁸ on, one of all inputs.",
              to_string(f.stability.verdict), f.stability.rule.empty() ? "" : ": " + typeset(f.stability.rule),
              f.stability.cases, f.stability.refused, f.stability.unexplained, 100 * unexplained_share,
              f.stability.beyond_reference, f.stability.threshold)},

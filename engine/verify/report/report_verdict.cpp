@@ -98,7 +98,7 @@ Statement of_stability(const Stability& s) {
     std::string text = "Rounding over many decades of every input: ";
     if (const WorstPoint* worst = worst_of(s))
         text += fmt::format("{} is off by {} ulp at worst, where {} are unavoidable; ", pretty(worst->output),
-                            short_number(worst->ulp), short_number(worst->unavoidable));
+                            short_number(worst->ulp), short_number(worst->left_open()));
     text += fmt::format("{} of {} points are answered by a status", s.refused, s.cases);
     if (!s.rule.empty()) text += "; " + typeset(s.rule);
     return {to_string(s.verdict), text};

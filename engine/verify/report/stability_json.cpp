@@ -31,6 +31,7 @@ Json worst_json(const WorstPoint& w) {
     Json json{{"output", w.output},
               {"ulp", json_number(w.ulp)},
               {"unavoidable_ulp", json_number(w.unavoidable)},
+              {"slow_time_ulp", json_number(w.by_slow_time)},
               {"at", numbers_json(w.at)}};
     if (!w.sensitive_to.empty()) json["sensitive_to"] = w.sensitive_to;
     if (w.lost) json["lost"] = lost_json(*w.lost);

@@ -68,19 +68,22 @@ std::string text_of(const LostDigits& lost) {
 
 std::string text_of(const WorstPoint& w, double threshold) {
     std::string text = fmt::format("  {:<8} {:>9.3g} ulp", w.output, w.ulp);
-    if (w.unavoidable > 0) text += fmt::format(" (a last bit of the inputs: {:.3g})", w.unavoidable);
+    if (w.unavoidable > 0)
+        text += fmt::format(" (a last bit of the slow time: {:.3g}, of the inputs: {:.3g})", w.by_slow_time,
+                            w.unavoidable);
     text += " at" + text_of(w.at) + "\n";
     if (w.lost) text += text_of(*w.lost);
-    if (w.unavoidable > 0 && !w.is_wrong(threshold))
-        text += fmt::format("           ill-conditioned, condition number {:.3g}, most of {}\n",
-                            w.unavoidable, w.sensitive_to);
-    return text;
+    if (w.unavoidable == 0 || w.is_wrong(threshold)) return text;
+    if (!w.is_ill_conditioned()) return text + "           left open by the slow time, which is rounded\n";
+    return text + fmt::format("           ill-conditioned, condition number {:.3g}, most of {}\n",
+                              w.unavoidable, w.sensitive_to);
 }
 
 std::string line_of_not_judged(const Stability& s) {
     std::string text =
-        fmt::format("  {} far beyond (phases at {:g}, slow variables at {:g} and {:g}), without a verdict",
-                    s.not_judged, extreme_phase, extreme_slow, subnormal_slow);
+        fmt::format("  {} far beyond (phases at {:g}, slow variables beyond {:g} and at {:g}), without a "
+                    "verdict",
+                    s.not_judged, extreme_phase, judged_slow, subnormal_slow);
     const char* before = ": ";
     for (const auto& [output, ulp] : s.not_judged_ulp) {
         text += fmt::format("{}{} is off by {:.3g} ulp at most", before, output, ulp);
@@ -107,9 +110,10 @@ std::string to_text(const Stability& s) {
     if (s.not_judged > 0) text += line_of_not_judged(s);
     if (s.ill_conditioned > 0)
         text += fmt::format(
-            "  {} errors above {:g} ulp that a last bit of the inputs leaves open, {} of them with "
-            "a condition number below 1e8\n",
-            s.ill_conditioned, s.threshold, s.moderately_ill_conditioned);
+            "  {} errors above {:g} ulp are left open: {} by a last bit of the slow time, {} by those of the "
+            "inputs, with a condition number of 1e8 and more\n",
+            s.ill_conditioned, s.threshold, s.moderately_ill_conditioned,
+            s.ill_conditioned - s.moderately_ill_conditioned);
     if (!s.rule.empty()) text += fmt::format("  {}: {}\n", to_string(s.verdict), s.rule);
     text += "  swept, as far as the reference goes:\n";
     for (std::size_t i = 0; i < s.inputs.size(); ++i) text += line_of(s.swept[i], s.inputs[i]);

@@ -108,7 +108,7 @@ public:
         const std::size_t round = corners_ / (2 * inputs_.size());
         const std::size_t i = corners_ / 2 % inputs_.size(), which = 2 * round + corners_ % 2;
         ++corners_;
-        const double value = corner(inputs_[i], default_eps, which % corners_of(inputs_[i]));
+        const double value = corner(inputs_[i], default_eps, which % corners(inputs_[i]).size());
         if (i == 0) return defaults(program_, rests_, value);
         Inputs inputs = of_scene();
         inputs[i] = value;
@@ -119,7 +119,7 @@ public:
         Inputs inputs(inputs_.size());
         for (std::size_t i = 0; i < inputs_.size(); ++i)
             inputs[i] = uniform() < corner_probability
-                            ? corner(inputs_[i], inputs.front(), below(corners_of(inputs_[i])))
+                            ? corner(inputs_[i], inputs.front(), below(usual_corners(inputs_[i])))
                             : anywhere(inputs_[i], inputs.front());
         return inputs;
     }
@@ -158,20 +158,36 @@ private:
         const bool turned = input.negative && uniform() < 0.5;
         return (turned ? -1 : 1) * size * std::pow(eps, to_double(input.weight));
     }
-    static std::vector<double> corners(const SweptInput& input) {
-        std::vector<double> sizes{input.high, input.low, std::sqrt(input.low) * std::sqrt(input.high)};
-        if (input.zero) sizes.push_back(0);
-        if (input.extreme > 0) sizes.push_back(input.extreme);
-        if (input.subnormal > 0) sizes.push_back(input.subnormal);
+    struct Sizes {
+        double from, to;
+    };
+    static std::vector<Sizes> corners(const SweptInput& input) {
+        const double middle = std::sqrt(input.low) * std::sqrt(input.high);
+        std::vector<Sizes> sizes{{input.high, input.high}, {input.low, input.low}, {middle, middle}};
+        if (input.zero) sizes.push_back({0, 0});
+        if (input.extreme > 0) sizes.push_back({input.extreme, input.extreme});
+        if (input.subnormal > 0) sizes.push_back({input.subnormal, input.subnormal});
+        if (input.judged > 0) {
+            sizes.push_back({input.high, input.judged});
+            sizes.push_back({input.judged, input.extreme});
+        }
         return sizes;
     }
-    static std::size_t corners_of(const SweptInput& input) { return corners(input).size(); }
+    // Without those that are drawn: beside a parameter of 1e-12 the exact solution would lose its digits.
+    static std::size_t usual_corners(const SweptInput& input) {
+        return corners(input).size() - (input.judged > 0 ? 2 : 0);
+    }
     double corner(const SweptInput& input, double eps, std::size_t which) {
-        const double size = corners(input)[which];
-        return size == 0 ? 0 : signed_value(input, eps, size);
+        return anywhere(input, corners(input)[which], eps);
     }
     double anywhere(const SweptInput& input, double eps) {
-        return signed_value(input, eps, input.low * std::pow(input.high / input.low, uniform()));
+        return anywhere(input, {input.low, input.high}, eps);
+    }
+    double anywhere(const SweptInput& input, const Sizes& sizes, double eps) {
+        if (sizes.to == 0) return 0;
+        const bool one = sizes.from == sizes.to;
+        return signed_value(input, eps,
+                            one ? sizes.to : sizes.from * std::pow(sizes.to / sizes.from, uniform()));
     }
 
     const Program& program_;
@@ -203,6 +219,7 @@ SweptInput of_start(const ProgramInput& input, const System& system) {
             slow    ? extreme_slow
             : phase ? extreme_phase
                     : 0,
+            slow ? judged_slow : 0,
             slow ? subnormal_slow : 0};
 }
 
@@ -243,7 +260,8 @@ bool is_far_beyond(const SweepPoint& point, const std::vector<SweptInput>& input
     const std::vector<double> values = as_swept(point, inputs);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double size = std::abs(values[i]);
-        if (inputs[i].extreme > 0 && size > 10 * inputs[i].high) return true;
+        const double judged = inputs[i].judged > 0 ? inputs[i].judged : 10 * inputs[i].high;
+        if (inputs[i].extreme > 0 && size > judged) return true;
         if (inputs[i].subnormal > 0 && size != 0 && size < std::numeric_limits<double>::min()) return true;
     }
     return false;

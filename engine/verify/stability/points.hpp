@@ -22,6 +22,7 @@ struct SweptInput {
     Rational weight = 0;   // of a start value
     bool rests = false;    // by [equilibrium]
     double extreme = 0;    // a corner far beyond that is asked and not judged; 0: none
+    double judged = 0;     // corners drawn between `high` and this are judged, those up to extreme are not
     double subnormal = 0;  // the same far below
 };
 
@@ -34,14 +35,15 @@ struct SweepPoint {
 };
 
 constexpr double extreme_phase = 1e14, extreme_slow = 1e150, subnormal_slow = 1e-310;
+constexpr double judged_slow = 1e15; // its square beside 1 leaves 20 of 50 digits
 
 // log10(high/low), 0 where nothing but 0 was tried.
 double decades(const SweptInput& input);
 
 // In the order eps, parameters, start: eps 1e-12 ... 0.5, parameters 1e-12 ... 1e12 (of both signs unless
 // they are declared positive), start values eps^weight * (1e-12 ... 1e3), measured from [equilibrium] where
-// there is one; phases to 1e12. Phases and slow variables have a corner far beyond, slow variables one among
-// the subnormal numbers.
+// there is one; phases to 1e12. Phases and slow variables have a corner far beyond, slow variables one on the
+// way there and one among the subnormal numbers.
 std::vector<SweptInput> swept_inputs(const Program& program, const System& system);
 
 // The same, each no farther than it may go alone, the other inputs as in the scene, in steps of half a
@@ -75,10 +77,11 @@ std::vector<SweptInput> nothing_swept(std::vector<SweptInput> inputs);
 void add(const SweepPoint& point, std::vector<SweptInput>& swept);
 
 // The scene's own, then points of which every other one has one input at a corner, with the rest as in the
-// scene: all inputs in turn, at the high and the low one first, then in the middle, at zero and far beyond.
-// In the others all inputs are drawn: log-uniform, each at a corner with probability 0.4; in every other of
-// these one input is then moved towards the end of the domain, over all but 1 ... 1e-6 of the way. A point
-// not `inside`, or drawn before, is drawn again, 20 times at most. Same seed, same points.
+// scene: all inputs in turn, at the high and the low one first, then in the middle, at zero, far beyond and,
+// drawn, on the way there. In the others all inputs are drawn: log-uniform, each at a corner that is not
+// drawn with probability 0.4; in every other of these one input is then moved towards the end of the domain,
+// over all but 1 ... 1e-6 of the way. A point not `inside`, or drawn before, is drawn again, 60 times at
+// most. Same seed, same points.
 std::vector<SweepPoint> sweep_points(const Program& program, const Scene& scene, std::size_t count,
                                      std::uint64_t seed,
                                      const std::function<bool(const SweepPoint&)>& inside);

@@ -121,13 +121,20 @@ Conditioning StabilityReference::From::conditioning(double t) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
     Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
-                      std::vector<std::string>(outputs)};
+                      std::vector<std::string>(outputs), std::vector<double>(outputs, 0.0)};
     for (const Wide& later : times_at_edge<double>(t))
         if (exact_(later).status != here.status) return none;
-    Conditioning all{std::vector<double>(outputs, 0.0), std::vector<std::string>(outputs)};
+    Conditioning all{std::vector<double>(outputs, 0.0), std::vector<std::string>(outputs),
+                     std::vector<double>(outputs, 0.0)};
     std::vector<double> most(outputs, 0.0);
     const bool numbers = here.status == Status::ok;
     const std::vector<Wide> theta = numbers ? exact_.phases(Wide(t)) : std::vector<Wide>{};
+    if (numbers) {
+        const SymbolicPoint later = exact_.with_phases(Wide(t * (1 + last_bit)), theta);
+        if (later.status != here.status) return none;
+        for (std::size_t k = 0; k < outputs; ++k)
+            all.slow_time[k] = in_ulp<double>(later.values[k], here.values[k], scales_[k]);
+    }
     std::size_t next = 0;
     while (const Beside* changed = beside(next++)) {
         const SymbolicPoint moved =

@@ -95,9 +95,11 @@ private:
             if (w.is_wrong(s.threshold))
                 return {
                     Verdict::fail,
-                    fmt::format("no error is above {:g} ulp times 1 + what a last bit of the inputs does: "
-                                "{} is off by {:.3g} ulp, where that is {:.3g}",
-                                s.threshold, w.output, w.ulp, w.unavoidable)};
+                    fmt::format("no error is above {:g} ulp times 1 + what a last bit of {} does: "
+                                "{} is off by {:.3g} ulp, where that is {:.3g}, with a condition number of "
+                                "{:.3g}",
+                                s.threshold, w.is_ill_conditioned() ? "the inputs" : "the slow time",
+                                w.output, w.ulp, w.left_open(), w.unavoidable)};
         const auto cases = static_cast<double>(s.cases);
         if (static_cast<double>(s.unexplained) > unexplained_share * cases)
             return {Verdict::fail,
@@ -197,6 +199,7 @@ private:
         Worst worst{{program_.outputs[output].name,
                      ulp,
                      answer.conditioning.sum[output],
+                     answer.conditioning.slow_time[output],
                      answer.conditioning.input[output],
                      {}},
                     at,
@@ -204,7 +207,7 @@ private:
                     answer.units[output]};
         if (!(ulp <= result_.threshold) && !worst.point.is_wrong(result_.threshold)) {
             ++result_.ill_conditioned;
-            if (worst.point.unavoidable < moderate_condition) ++result_.moderately_ill_conditioned;
+            if (!worst.point.is_ill_conditioned()) ++result_.moderately_ill_conditioned;
         }
         const auto before = [&](const Worst& a, const Worst& b) {
             return std::pair(a.point.is_wrong(result_.threshold), a.point.ulp) >
@@ -230,8 +233,12 @@ private:
 
 } // namespace
 
+bool WorstPoint::is_ill_conditioned() const { return !(unavoidable < moderate_condition); }
+
+double WorstPoint::left_open() const { return is_ill_conditioned() ? unavoidable : by_slow_time; }
+
 bool WorstPoint::is_wrong(double threshold) const {
-    return !std::isinf(unavoidable) && !(ulp <= threshold * (1 + unavoidable));
+    return !std::isinf(left_open()) && !(ulp <= threshold * (1 + left_open()));
 }
 
 Stability stability(const Scene& scene, const Solution& solution, const StabilityOptions& options) {

@@ -22,14 +22,18 @@ using NamedInputs = std::vector<std::pair<std::string, double>>; // eps, paramet
 struct WorstPoint {
     std::string output;
     double ulp = 0; // infinite: a number where the exact solution has none
-    // Of it, if above the threshold: the effect of a last bit of the inputs. That is the condition number,
-    // too.
-    double unavoidable = 0;
+    // Of it, if above the threshold: the effect of a last bit of the inputs, added up: that is the condition
+    // number, too. And of a last bit of the slow time alone.
+    double unavoidable = 0, by_slow_time = 0;
     std::string sensitive_to; // the input of which a last bit does most; "" where unavoidable is 0
     NamedInputs at;
     std::optional<LostDigits> lost = {}; // of the worst of an output: which part of it loses them
 
-    // Above threshold (1 + unavoidable); no code could be required to do better.
+    // Of a condition number of 1e8 and more, where half of the digits of double are gone.
+    [[nodiscard]] bool is_ill_conditioned() const;
+    // by_slow_time; of a condition number of 1e8 and more: unavoidable.
+    [[nodiscard]] double left_open() const;
+    // Above threshold (1 + left_open()).
     [[nodiscard]] bool is_wrong(double threshold) const;
 };
 
@@ -68,7 +72,8 @@ struct Stability {
     std::map<std::string, std::size_t> not_judged_refused_by; // status -> how many there
     std::map<std::string, std::size_t> refused_by;            // status -> how many
     std::size_t unexplained = 0; // of `refused`: the exact solution has moderate numbers
-    // Errors above the threshold that are not wrong, and those of them with a condition number below 1e8.
+    // Errors above the threshold that are not wrong, and those of them with a condition number below 1e8,
+    // which the slow time leaves open.
     std::size_t ill_conditioned = 0, moderately_ill_conditioned = 0;
     std::vector<WorstPoint> worst;                      // five of each output: wrong ones first, then by size
     std::vector<StabilityRefusals> refusals;            // the most frequent first
@@ -85,7 +90,7 @@ struct StabilityOptions : VerifyOptions {
 constexpr double unexplained_share = 0.01; // with more of the points there is something wrong
 
 // Sweeps all inputs of the program, with [fix] values as free parameters. Verdict: fail, where
-// a threshold (1 + unavoidable) is exceeded, or more than a hundredth of the points have an unexplained
+// an error is wrong (WorstPoint::is_wrong), or more than a hundredth of the points have an unexplained
 // status, due neither to the exact solution (the declared domain, a radicand, a divisor, a start to which the
 // map does not lead back) nor a value beyond double nor a large phase; undecided, where less than a tenth of
 // them are compared, or fewer than lie beyond the reference, or an input was driven over less than half of

@@ -101,7 +101,7 @@ TEST_F(ReportVerdict, SaysWhoIsFaster) {
 TEST_F(ReportVerdict, SaysWhereItBreaks) {
     findings_.stability.verdict = Verdict::fail;
     findings_.stability.rule = "no error is above 16 ulp";
-    findings_.stability.worst = {{"x", 2, 0, "", {}}, {"psi", 99, 1, "eps", {}}};
+    findings_.stability.worst = {{"x", 2, 0, 0, "", {}}, {"psi", 99, 1e7, 1, "eps", {}}};
     findings_.stability.cases = 300;
     findings_.stability.refused = 66;
     bool told = false;

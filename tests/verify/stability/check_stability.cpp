@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace resonform {
 namespace {
@@ -78,13 +79,29 @@ TEST(Stability, EmittedCodeIsGoodToAFewUlpEverywhere) {
         EXPECT_LE(r.first_t, r.last_t);
     }
     EXPECT_EQ(refused, s.refused);
-    for (const char* key : {"output", "ulp", "unavoidable_ulp", "at"})
+    for (const char* key : {"output", "ulp", "unavoidable_ulp", "slow_time_ulp", "at"})
         EXPECT_TRUE(json["worst"][0].contains(key)) << key;
 
     EXPECT_EQ(to_text(swept(line, 120)), to_text(s)) << "no times, nothing that varies";
 
     line.scene.verify.ulp = 1e-3;
     EXPECT_EQ(swept(line, 6).verdict, Verdict::fail) << "one threshold for all that is emitted";
+}
+
+// Inputs excuse an error from a condition number of 10^8 on, the slow time at any.
+TEST(Stability, AnErrorIsExcusedByTheSlowTimeOrABadCondition) {
+    const auto is_wrong = [](double ulp, double condition, double by_slow_time) {
+        return WorstPoint{"x", ulp, condition, by_slow_time, "eps", {}}.is_wrong(16);
+    };
+    EXPECT_FALSE(is_wrong(16, 0, 0));
+    EXPECT_TRUE(is_wrong(17, 0, 0));
+    EXPECT_TRUE(is_wrong(17, 0.99e8, 0));
+    EXPECT_FALSE(is_wrong(17, 1e8, 0));
+    EXPECT_FALSE(is_wrong(16 * (1 + 600), 600, 600));
+    EXPECT_TRUE(is_wrong(16 * (1 + 601), 600, 600));
+    EXPECT_TRUE(is_wrong(1e10, 1e8, 1)) << "not even then without bounds";
+    const double infinite = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(is_wrong(1e10, infinite, 0)) << "another status for a start that close";
 }
 
 TEST(Stability, StartsFollowTheGrading) {

@@ -140,6 +140,41 @@ TEST(LostDigits, AreKeptByFunctionsOfSmallArguments) {
     EXPECT_EQ(spelled(*joined, joined->outputs.front().value), "b*log1p(a)/a");
 }
 
+// b - (a + 1/a) at b = a, beside a term as small: as a sum, and as a difference that is taken first.
+TEST(LostDigits, AreKeptByDifferencesInTwiceTheDigits) {
+    const auto program_of = [](bool doubled) {
+        return made([doubled](Graph& graph, Graph::Node a, Graph::Node b) {
+            const Graph::Node rest =
+                graph.add({graph.multiply({graph.power(a, 2), per(graph, a)}), per(graph, a)});
+            const Graph::Node sum = graph.add({b, graph.negate(graph.multiply({rest, graph.rational(1)}))});
+            return graph.multiply({a, doubled ? graph.difference(sum) : sum});
+        });
+    };
+    ASSERT_TRUE(lost(program_of(false), 2.314e7, 2.314e7));
+    EXPECT_GT(lost(program_of(false), 2.314e7, 2.314e7)->ulp, 1e6);
+    EXPECT_FALSE(lost(program_of(true), 2.314e7, 2.314e7));
+    EXPECT_EQ(spelled(*program_of(true), program_of(true)->outputs.front().value), "a*(b - a - 1/a)");
+}
+
+// A difference of numbers that are doubles is exact as it is.
+TEST(LostDigits, DifferencesOfDoublesAreTakenAsTheyAre) {
+    Graph graph;
+    const Graph::Node a = graph.symbol("a"), b = graph.symbol("b");
+    const auto op_of = [&](const Graph::Node other) {
+        return graph.at(graph.difference(graph.add({a, graph.negate(other)}))).op;
+    };
+    EXPECT_EQ(op_of(b), Graph::Op::add);
+    EXPECT_EQ(op_of(graph.rational(Rational(3) / 8)), Graph::Op::add);
+    EXPECT_EQ(op_of(graph.rational(Rational(1) / 3)), Graph::Op::doubled);
+    EXPECT_EQ(op_of(graph.multiply({graph.rational(3), b})), Graph::Op::doubled);
+    EXPECT_EQ(op_of(graph.root(b, 2)), Graph::Op::doubled);
+    EXPECT_EQ(op_of(graph.callable("f", 0, b)), Graph::Op::add)
+        << "no callable has more digits than its type";
+    EXPECT_EQ(graph.difference(a), a);
+    const Graph::Node c = graph.symbol("c"), whole = graph.difference(graph.add({a, graph.negate(b)}));
+    EXPECT_EQ(graph.at(graph.add({c, whole})).operands.size(), 2U) << "one term of a sum";
+}
+
 TEST(LostDigits, NothingIsToldOfARounding) {
     const auto program = made([](Graph& graph, Graph::Node a, Graph::Node b) {
         return graph.multiply({graph.function(Graph::Op::exp, {a}), per(graph, graph.add({a, b}))});
