@@ -69,6 +69,7 @@ public:
     //   d = difference(c - s/(k + s));  add({e, d})   ->   e + doubled(c - s/(k + s)),  not (c + e) - s/(k +
     //   s)
     Node difference(Node sum);
+    [[nodiscard]] bool stays_one_term(Node n) const { return whole_.contains(n); }
     Node
     multiply(const std::vector<Node>& operands); // flattens, folds rationals, collects equal bases; 0 absorbs
     Node negate(Node n) { return multiply({rational(-1), n}); }

@@ -4,6 +4,7 @@
 #include "emit/display/display.hpp"
 #include "emit/display/divisor_fractions.hpp"
 #include "emit/display/spelling.hpp"
+#include "emit/graph/conditioning.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -141,15 +142,15 @@ Graph::Node Lowering::radicand(const Polynomial& p) {
     for (const Term& t : p.terms()) fold(t.monomial, t.coefficient, terms);
     return by_exponentials(terms, [this](Terms& sum) {
         std::vector<std::size_t> rows = collected(sum, {});
-        return sum_of(sum, rows);
+        return sum_of(sum, rows, true);
     });
 }
 
-Graph::Node Lowering::sum_of(Terms& terms, Rows rows) {
+Graph::Node Lowering::sum_of(Terms& terms, Rows rows, bool is_radicand) {
     const auto zeros =
         std::remove_if(rows.begin(), rows.end(), [&](std::size_t k) { return terms.coefficients[k] == 0; });
     if (zeros == rows.begin()) return graph_->rational(0);
-    return horner(terms, {rows.begin(), zeros}, true);
+    return horner(terms, {rows.begin(), zeros}, true, is_radicand);
 }
 
 // Takes the greatest common monomial out of the terms; only in varying or only in constant generators.
@@ -182,18 +183,22 @@ int Lowering::most_frequent(const Terms& terms, Rows rows, bool varying) const {
 
 // After the common factor all exponents are >= 0. A sum without varying generators goes on with the
 // constant ones; without these it is a number. The rows are divided in place, each term belongs to one sum.
-Graph::Node Lowering::horner(Terms& terms, Rows rows, bool varying) {
+Graph::Node Lowering::horner(Terms& terms, Rows rows, bool varying, bool is_radicand) {
     const Graph::Node factor = common_factor(terms, rows, varying);
     const int id = most_frequent(terms, rows, varying);
     if (id < 0) {
-        const Graph::Node rest =
-            varying ? horner(terms, rows, false) : graph_->rational(terms.coefficients[rows.front()]);
+        const Graph::Node rest = varying ? horner(terms, rows, false, is_radicand)
+                                         : graph_->rational(terms.coefficients[rows.front()]);
         return graph_->multiply({factor, rest});
     }
     const auto without =
         std::partition(rows.begin(), rows.end(), [&](std::size_t k) { return terms.row(k)[id] != 0; });
-    const Graph::Node with = horner(terms, {rows.begin(), without}, varying);
-    return graph_->multiply({factor, graph_->add({with, horner(terms, {without, rows.end()}, varying)})});
+    const Graph::Node with = horner(terms, {rows.begin(), without}, varying, is_radicand);
+    const Graph::Node sum = graph_->add({with, horner(terms, {without, rows.end()}, varying, is_radicand)});
+    if (!is_radicand) return graph_->multiply({factor, sum});
+    const Graph::Node factored = factored_difference(*graph_, multiplied_out(*graph_, sum));
+    if (positive_.contains(sum)) positive_.insert(factored);
+    return graph_->multiply({factor, factored});
 }
 
 } // namespace resonform

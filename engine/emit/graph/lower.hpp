@@ -46,7 +46,9 @@ public:
     Graph::Node polynomial(const Polynomial& p) { return fractions(reduced_fractions(*ring_, p)); }
     // The same for fractions prepared by reduced_fractions(), when p is lowered at several places.
     Graph::Node fractions(const std::vector<Fraction>& list);
-    // The same without looking for common root powers: for radicands, while roots are not yet defined.
+    // The same without looking for common root powers: for radicands, while roots are not yet defined. What a
+    // sum is formed from may be far larger than it: constants meet first, and differences of squares are
+    // factored (conditioning.hpp).
     Graph::Node radicand(const Polynomial& p);
     // A divisor, or the radicand of a root. Where it is A + R, R a square root times something, A and R of
     // proved opposite sign, it becomes (A^2 - R^2)/(A - R), whose numerator cancels exactly and whose
@@ -92,8 +94,9 @@ private:
     template <class Sum> Graph::Node by_exponentials(Terms& terms, const Sum& sum);
     Graph::Node lowered(Terms& terms);
     Graph::Node by_roots(Terms& terms);
-    Graph::Node sum_of(Terms& terms, Rows rows);
-    Graph::Node horner(Terms& terms, Rows rows, bool varying);
+    // is_radicand: the digits of sums count, differences of squares are factored.
+    Graph::Node sum_of(Terms& terms, Rows rows, bool is_radicand = false);
+    Graph::Node horner(Terms& terms, Rows rows, bool varying, bool is_radicand);
     Graph::Node common_factor(Terms& terms, Rows rows, bool varying);
     [[nodiscard]] int most_frequent(const Terms& terms, Rows rows, bool varying) const;
 

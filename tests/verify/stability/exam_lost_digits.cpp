@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of an output that loses digits is found and named: in graphs of which that is known.
 #include "algebra/ring/ring.hpp"
+#include "emit/graph/conditioning.hpp"
 #include "emit/graph/lower.hpp"
 #include "verify/own_system.hpp"
 #include "verify/stability/lost_digits.hpp"
@@ -153,7 +154,74 @@ TEST(LostDigits, AreKeptByDifferencesInTwiceTheDigits) {
     ASSERT_TRUE(lost(program_of(false), 2.314e7, 2.314e7));
     EXPECT_GT(lost(program_of(false), 2.314e7, 2.314e7)->ulp, 1e6);
     EXPECT_FALSE(lost(program_of(true), 2.314e7, 2.314e7));
-    EXPECT_EQ(spelled(*program_of(true), program_of(true)->outputs.front().value), "a*(b - a - 1/a)");
+    EXPECT_EQ(spelled(*program_of(true), program_of(true)->outputs.front().value), "a*(b - (a + 1/a))");
+}
+
+// sqrt(4 a^2 - b^2) at b close to 2 a, as it is written and as a radicand is lowered.
+TEST(LostDigits, AreKeptByDifferencesOfSquaresUnderRoots) {
+    const auto written = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        const Graph::Node sum = graph.add(
+            {graph.multiply({graph.rational(4), graph.power(a, 2)}), graph.negate(graph.power(b, 2))});
+        return graph.root(sum, 2);
+    });
+    const double a = 93.3259, b = 186.65;
+    ASSERT_TRUE(lost(written, a, b));
+    EXPECT_EQ(lost(written, a, b)->expression, "4*a^2 - b^2");
+    const auto lowered = made([](Graph& graph, Graph::Node a, Graph::Node b) {
+        RingBuilder builder;
+        const auto add = [&](const char* name) {
+            Generator g;
+            g.kind = GeneratorKind::parameter;
+            g.name = name;
+            return builder.add(g);
+        };
+        const GeneratorId x = add("x"), y = add("y");
+        const RingPtr ring = builder.freeze();
+        Lowering lowering(graph, ring);
+        lowering.define(x, a, true);
+        lowering.define(y, b, false);
+        const Polynomial p = ring->gen(x), q = ring->gen(y);
+        return graph.root(lowering.radicand(Rational(4) * ring->multiply(p, p) - ring->multiply(q, q)), 2);
+    });
+    EXPECT_FALSE(lost(lowered, a, b));
+    EXPECT_EQ(spelled(*lowered, lowered->outputs.front().value), "sqrt((2*a - b)*(b + 2*a))");
+}
+
+TEST(LostDigits, OnlyDifferencesOfSquaresAreFactored) {
+    Graph graph;
+    const Graph::Node a = graph.symbol("a"), b = graph.symbol("b"), square = graph.power(a, 2);
+    const auto is_factored = [&](const std::vector<Graph::Node>& terms) {
+        const Graph::Node sum = graph.add(terms);
+        const std::size_t before = graph.size();
+        if (factored_difference(graph, sum) != sum) return true;
+        EXPECT_EQ(graph.size(), before) << "no node is left behind";
+        return false;
+    };
+    const auto times = [&](const Rational& c, Graph::Node n) {
+        return graph.multiply({graph.rational(c), n});
+    };
+    EXPECT_TRUE(is_factored({square, graph.rational(-1)}));
+    EXPECT_TRUE(is_factored({times(Rational(-9) / 4, square), graph.multiply({square, graph.power(b, -4)})}));
+    EXPECT_FALSE(is_factored({square, graph.rational(1)}));
+    EXPECT_FALSE(is_factored({times(-1, square), graph.rational(-1)}));
+    EXPECT_FALSE(is_factored({times(2, square), graph.rational(-1)}));
+    EXPECT_FALSE(is_factored({square, graph.negate(b)}));
+    EXPECT_FALSE(is_factored({square, graph.negate(graph.multiply({square, b}))}));
+    EXPECT_FALSE(is_factored({square, graph.negate(graph.power(b, 2)), b}));
+    EXPECT_FALSE(is_factored({b}));
+}
+
+TEST(LostDigits, ConstantsOfARadicandMeetFirst) {
+    Graph graph;
+    const Graph::Node a = graph.symbol("a"), T = graph.symbol("T"), s = graph.symbol("s");
+    const Graph::Node moved = graph.add({T, s});
+    EXPECT_EQ(multiplied_out(graph, graph.add({a, graph.negate(moved)})),
+              graph.add({a, graph.negate(T), graph.negate(s)}));
+    const Graph::Node product = graph.add({a, graph.multiply({T, moved})});
+    EXPECT_EQ(multiplied_out(graph, product), product) << "only multiples";
+    const Graph::Node whole = graph.difference(graph.add({T, graph.negate(s)}));
+    const Graph::Node kept = graph.add({a, graph.negate(whole)});
+    EXPECT_EQ(multiplied_out(graph, kept), kept) << "it is to stay one term";
 }
 
 // A difference of numbers that are doubles is exact as it is.
