@@ -24,7 +24,7 @@ class SolutionJson {
 public:
     explicit SolutionJson(const Solution& solution) : solution_(solution), ring_(*solution.ring) {}
 
-    // xi = start + eps*rate*t
+    // xi' = eps*rate from start; the rate is linear in xi at most
     [[nodiscard]] Json slow() const {
         Json list = Json::array();
         for (const SlowLaw& law : solution_.slow)

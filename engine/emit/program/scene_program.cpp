@@ -78,6 +78,29 @@ void SceneProgram::define_parameters() {
     }
 }
 
+// xi_0 + drive T, or xi_0 e^{-bT} + drive (1 - e^{-bT})/b: where xi_0, drive and b are positive, nothing
+// cancels, and the second part keeps its digits where b T is small.
+Graph::Node SceneProgram::value_on_path(Graph::Node begin, Graph::Node drive, Graph::Node decline) {
+    Graph& graph = program_.graph;
+    if (decline < 0) return graph.add({begin, graph.multiply({drive, program_.slow_time})});
+    const Graph::Node exponent = graph.negate(graph.multiply({decline, program_.slow_time}));
+    const Graph::Node lost = graph.negate(graph.function(Graph::Op::expm1, {exponent}));
+    return graph.add({graph.multiply({begin, graph.function(Graph::Op::exp, {exponent})}),
+                      graph.multiply({drive, graph.power(decline, -1), lost})});
+}
+
+void SceneProgram::move_slow(const Variable& variable, const std::string& called, Graph::Node begin,
+                             Graph::Node value) {
+    names_[variable.name] = value;
+    program_.names.push_back({called, value});
+    // A variable declared nonzero must keep the sign that it starts with.
+    if (variable.nonzero && !variable.positive)
+        program_.positive.push_back({program_.graph.multiply({begin, value}), variable.name});
+    if (!variable.positive) return;
+    program_.positive.push_back({value, variable.name});
+    surroundings_.positive.insert({begin, value});
+}
+
 // c_0 + eps (c_1 + eps (c_2 + ...)), each c_n named
 Graph::Node
 SceneProgram::by_powers_of_eps(const Ring& ring, GeneratorId eps, const Polynomial& p,
