@@ -97,9 +97,8 @@ void Draft::add_constants(RingBuilder& builder) {
         return builder.add(make(kind, fresh_name(builder, name), invertible));
     };
     solution.eps = builder.id(field.ring->generator(field.eps).name);
-    if (std::all_of(field.slow.begin(), field.slow.end(), [&](const SlowVariable& slow) {
-            return !explicit_law(field, slow)->decline.empty();
-        }))
+    if (std::all_of(field.slow.begin(), field.slow.end(),
+                    [&](const SlowVariable& slow) { return !explicit_law(field, slow)->decline.empty(); }))
         solution.slow_time = add(GeneratorKind::slow, "T");
     for (const Mode& mode : field.modes) {
         const std::string& variable = system.variables[mode.variable].name;
@@ -161,7 +160,8 @@ void Draft::rewrite(const RingMap& map) {
         for (int n = 0; n <= s.through(); ++n) s.set(n, map(s.part(n)));
     };
     for (SlowLaw& slow : solution.slow)
-        slow = {slow.variable, slow.generator, map(slow.rate), {map(slow.path.drive), map(slow.path.decline)}};
+        slow = {
+            slow.variable, slow.generator, map(slow.rate), {map(slow.path.drive), map(slow.path.decline)}};
     for (ModeSolution& mode : solution.modes) {
         mode.envelope = map(mode.envelope);
         rewrite_series(mode.factor);
@@ -197,8 +197,8 @@ Polynomial Draft::integrate(const Polynomial& rate, const std::string& name) {
     if (integrand) integrand = cancelled(ring(), *integrand);
     if (!integrand || uses_slow_time(*integrand)) return quadrature(rate, name, true);
     const auto closed = close_primitive(ring(), clock_, *integrand);
-    if (!closed) return relaxes ? quadrature(rate, name, true)
-                                : quadrature(*integrand, name, solution.slow.empty());
+    if (!closed)
+        return relaxes ? quadrature(rate, name, true) : quadrature(*integrand, name, solution.slow.empty());
 
     const RingPtr before = solution.ring;
     std::vector<GeneratorId> ids;
@@ -220,9 +220,9 @@ bool Draft::uses_slow_time(const Polynomial& p) const {
                            [&](const Term& t) { return ring().exponent(t.monomial, id) != 0; });
     };
     return (solution.slow_time && holds(*solution.slow_time)) ||
-           std::any_of(solution.primitives.begin(), solution.primitives.end(), [&](const Primitive& primitive) {
-               return primitive.over_slow_time && holds(primitive.id);
-           });
+           std::any_of(
+               solution.primitives.begin(), solution.primitives.end(),
+               [&](const Primitive& primitive) { return primitive.over_slow_time && holds(primitive.id); });
 }
 
 Polynomial Draft::quadrature(const Polynomial& integrand, const std::string& name, bool over_slow_time) {

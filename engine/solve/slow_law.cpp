@@ -23,7 +23,8 @@ Polynomial at_eps_one(const Ring& ring, const Polynomial& p) {
 bool has_divisor(const Ring& ring, const Polynomial& p) {
     for (GeneratorId id = 0; id < ring.size(); ++id) {
         const Generator& g = ring.generator(id);
-        if (g.kind == GeneratorKind::root && !g.positive && ring.exponent(p.terms().front().monomial, id) != 0)
+        if (g.kind == GeneratorKind::root && !g.positive &&
+            ring.exponent(p.terms().front().monomial, id) != 0)
             return true;
     }
     return false;

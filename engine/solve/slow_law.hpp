@@ -20,4 +20,8 @@ struct SlowPath {
 // Of this rate of the slow variable xi. nullopt: it is of another kind, or b is not proved to be nonzero.
 [[nodiscard]] std::optional<SlowPath> slow_path(const Ring& ring, GeneratorId xi, const Polynomial& rate);
 
+// Integrals over e^{-bT} are trusted up to b T = most_relaxations: what is over within a smaller part of an
+// interval may lie between all the places at which it is looked at.
+inline constexpr int most_relaxations = 4096;
+
 } // namespace resonform

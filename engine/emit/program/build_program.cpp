@@ -105,7 +105,7 @@ void ProgramBuilder::define_slow_variables() {
         const Graph::Node drive = lowering.radicand(law.path.drive);
         const bool relaxes = !law.path.decline.empty();
         const Graph::Node value =
-            value_on_path(begin, drive, relaxes ? lowering.radicand(law.path.decline) : -1);
+            value_on_path(variable.name, begin, drive, relaxes ? lowering.radicand(law.path.decline) : -1);
         slow_starts_[law.generator] = begin;
         slow_values_[law.generator] = value;
         if (!relaxes) quadratures_.set_clock_rate(drive);
