@@ -193,12 +193,11 @@ Polynomial Draft::integrate(const Polynomial& rate, const std::string& name) {
     if (rate.empty()) return {};
     const bool relaxes = !is_constant(ring(), clock_rate_);
     if (relaxes && is_constant(ring(), rate)) return ring().multiply(rate, ring().gen(*solution.slow_time));
-    auto integrand = quotient_in_ring(ring(), rate, clock_rate_);
+    auto integrand = relaxes ? rate : quotient_in_ring(ring(), rate, clock_rate_);
     if (integrand) integrand = cancelled(ring(), *integrand);
     if (!integrand || uses_slow_time(*integrand)) return quadrature(rate, name, true);
-    const auto closed = close_primitive(ring(), clock_, *integrand);
-    if (!closed)
-        return relaxes ? quadrature(rate, name, true) : quadrature(*integrand, name, solution.slow.empty());
+    const auto closed = close_primitive(ring(), clock_, *integrand, relaxes ? clock_rate_ : ring().one());
+    if (!closed) return quadrature(*integrand, name, relaxes || solution.slow.empty());
 
     const RingPtr before = solution.ring;
     std::vector<GeneratorId> ids;
