@@ -43,7 +43,9 @@ class Solution(Answer):
         return point.value(notation(law["decline"])) if "decline" in law else 0
 
     def slow(self, name, point):
-        law = next(s for s in self.document["slow"] if key(s["variable"]) == name)
+        law = next((s for s in self.document["slow"] if key(s["variable"]) == name), None)
+        if law is None:  # T
+            return point["eps"]*point["t"]
         start, time = point[key(law["start"])], point["eps"]*point["t"]
         rate, decline = point.value(notation(law["rate"])), self.decline(law, point)
         if decline == 0:
