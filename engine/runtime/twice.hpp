@@ -145,18 +145,23 @@ template <class Real> Twice<Real> exp_less_one(const Twice<Real>& x) {
     return less_one;
 }
 
+// Products of e^|x| in twice the precision stay in range.
+template <class Real> bool has_moderate_exponential(const Real& x) {
+    using math::exp;
+    return math::finite(x) &&
+           math::finite(Real(exp(math::magnitude(x)) * math::power(Real(2), math::digits<Real>)));
+}
+
 template <class Real> Twice<Real> exp(const Twice<Real>& x) {
     using math::exp;
-    if (!math::finite(x.high) || !math::finite(Real(exp(x.high)))) return Twice<Real>(exp(x.high));
+    if (!has_moderate_exponential(x.high)) return Twice<Real>(exp(x.high));
     if (x.high < Real(0)) return Twice<Real>(1) / exp(-x);
     return exp_less_one(x) + Twice<Real>(1);
 }
 
 template <class Real> Twice<Real> expm1(const Twice<Real>& x) {
-    using math::exp;
     using math::expm1;
-    const Real size = math::magnitude(x.high);
-    if (!math::finite(size) || !math::finite(Real(exp(size)))) return Twice<Real>(expm1(x.high));
+    if (!has_moderate_exponential(x.high)) return Twice<Real>(expm1(x.high));
     if (!(x.high < Real(0))) return exp_less_one(x);
     const Twice<Real> up = exp_less_one(-x);
     return -up / (up + Twice<Real>(1));

@@ -92,16 +92,15 @@ EnvelopePlan plan_envelope(const NormalForm& normal_form) {
     const Ring& ring = *field.ring;
     const SlowVariable& slow = field.slow.front();
     const Polynomial speed = *quotient_in_ring(ring, slow.rate, ring.gen(field.eps));
-    const auto per_slow = quotient_in_ring(ring, plan.rest, speed);
-    if (!per_slow) return plan;
 
     const auto bases = logarithmic_derivatives(ring, slow.generator);
     Span span;
-    for (const auto& base : bases) span.add(base.second);
-    const auto parts = span.decompose(*per_slow);
+    for (const auto& base : bases) span.add(ring.multiply(base.second, speed));
+    const auto parts = span.decompose(plan.rest);
+    if (parts.remainder.size() > plan.rest.size()) return plan; // no powers are in it
     for (std::size_t k = 0; k < bases.size(); ++k)
         if (parts.coordinates[k] != 0) plan.powers.push_back({bases[k].first, parts.coordinates[k]});
-    plan.rest = ring.multiply(parts.remainder, speed);
+    plan.rest = parts.remainder;
     return plan;
 }
 

@@ -2,8 +2,10 @@
 #include "solve/draft.hpp"
 
 #include "algebra/ring/cancellation.hpp"
+#include "algebra/ring/constant.hpp"
 #include "algebra/ring/ring_copy.hpp"
 #include "solve/quadrature.hpp"
+#include "solve/route.hpp"
 
 #include <fmt/format.h>
 
@@ -95,7 +97,9 @@ void Draft::add_constants(RingBuilder& builder) {
         return builder.add(make(kind, fresh_name(builder, name), invertible));
     };
     solution.eps = builder.id(field.ring->generator(field.eps).name);
-    if (field.slow.empty()) solution.slow_time = add(GeneratorKind::slow, "T");
+    if (std::all_of(field.slow.begin(), field.slow.end(),
+                    [&](const SlowVariable& slow) { return !explicit_law(field, slow)->decline.empty(); }))
+        solution.slow_time = add(GeneratorKind::slow, "T");
     for (const Mode& mode : field.modes) {
         const std::string& variable = system.variables[mode.variable].name;
         ModeSolution m;
@@ -116,15 +120,17 @@ void Draft::add_constants(RingBuilder& builder) {
 }
 
 void Draft::set_clock() {
-    if (solution.slow_time) {
+    const GradedField& field = *normal_form().field;
+    if (field.slow.empty()) {
         clock_ = *solution.slow_time;
         clock_rate_ = ring().one();
         return;
     }
-    const SlowVariable& slow = normal_form().field->slow.front();
+    const SlowVariable& slow = field.slow.front();
+    const SlowPath path = *explicit_law(field, slow);
     clock_ = *ring().find(slow.name);
     clock_rate_ = *quotient_in_ring(ring(), lift(slow.rate), ring().gen(solution.eps));
-    solution.slow.push_back({slow.variable, clock_, clock_rate_});
+    solution.slow.push_back({slow.variable, clock_, clock_rate_, {lift(path.drive), lift(path.decline)}});
 }
 
 Polynomial Draft::power_of(GeneratorId base, const Rational& exponent) const {
@@ -153,7 +159,9 @@ void Draft::rewrite(const RingMap& map) {
     const auto rewrite_series = [&](Series& s) {
         for (int n = 0; n <= s.through(); ++n) s.set(n, map(s.part(n)));
     };
-    for (SlowLaw& slow : solution.slow) slow.rate = map(slow.rate);
+    for (SlowLaw& slow : solution.slow)
+        slow = {
+            slow.variable, slow.generator, map(slow.rate), {map(slow.path.drive), map(slow.path.decline)}};
     for (ModeSolution& mode : solution.modes) {
         mode.envelope = map(mode.envelope);
         rewrite_series(mode.factor);
@@ -183,11 +191,13 @@ GeneratorId Draft::extend(Generator g, bool exponential) {
 
 Polynomial Draft::integrate(const Polynomial& rate, const std::string& name) {
     if (rate.empty()) return {};
-    auto integrand = quotient_in_ring(ring(), rate, clock_rate_);
+    const bool relaxes = !is_constant(ring(), clock_rate_);
+    if (relaxes && is_constant(ring(), rate)) return ring().multiply(rate, ring().gen(*solution.slow_time));
+    auto integrand = relaxes ? rate : quotient_in_ring(ring(), rate, clock_rate_);
     if (integrand) integrand = cancelled(ring(), *integrand);
-    if (!integrand || uses_slow_time_quadrature(*integrand)) return quadrature(rate, name, true);
-    const auto closed = close_primitive(ring(), clock_, *integrand);
-    if (!closed) return quadrature(*integrand, name, solution.slow.empty());
+    if (!integrand || uses_slow_time(*integrand)) return quadrature(rate, name, true);
+    const auto closed = close_primitive(ring(), clock_, *integrand, relaxes ? clock_rate_ : ring().one());
+    if (!closed) return quadrature(*integrand, name, relaxes || solution.slow.empty());
 
     const RingPtr before = solution.ring;
     std::vector<GeneratorId> ids;
@@ -202,13 +212,16 @@ Polynomial Draft::integrate(const Polynomial& rate, const std::string& name) {
     return result;
 }
 
-bool Draft::uses_slow_time_quadrature(const Polynomial& p) const {
-    return std::any_of(
-        solution.primitives.begin(), solution.primitives.end(), [&](const Primitive& primitive) {
-            return primitive.over_slow_time &&
-                   std::any_of(p.terms().begin(), p.terms().end(),
-                               [&](const Term& t) { return ring().exponent(t.monomial, primitive.id) != 0; });
-        });
+bool Draft::uses_slow_time(const Polynomial& p) const {
+    if (solution.slow.empty()) return false; // T is the clock
+    const auto holds = [&](GeneratorId id) {
+        return std::any_of(p.terms().begin(), p.terms().end(),
+                           [&](const Term& t) { return ring().exponent(t.monomial, id) != 0; });
+    };
+    return (solution.slow_time && holds(*solution.slow_time)) ||
+           std::any_of(
+               solution.primitives.begin(), solution.primitives.end(),
+               [&](const Primitive& primitive) { return primitive.over_slow_time && holds(primitive.id); });
 }
 
 Polynomial Draft::quadrature(const Polynomial& integrand, const std::string& name, bool over_slow_time) {
@@ -245,11 +258,12 @@ GeneratorId Draft::logarithm(const Polynomial& argument, const Polynomial& deriv
 Polynomial Draft::exponential(const Polynomial& argument, const std::string& name) {
     Generator g = make(GeneratorKind::primitive, name, true);
     g.positive = true;
-    g.derivatives.emplace_back(clock_, ring().derivative(argument, clock_));
+    const bool over_slow_time = uses_slow_time(argument);
+    if (!over_slow_time) g.derivatives.emplace_back(clock_, ring().derivative(argument, clock_));
     const RingPtr before = solution.ring;
     const GeneratorId id = extend(std::move(g), true);
     solution.primitives.push_back({id, ring().generator(id).name, PrimitiveKind::exponential,
-                                   RingMap::by_name(before, solution.ring)(argument), false});
+                                   RingMap::by_name(before, solution.ring)(argument), over_slow_time});
     return ring().gen(id);
 }
 

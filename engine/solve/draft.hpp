@@ -38,7 +38,8 @@ public:
     [[nodiscard]] Polynomial lift(const Polynomial& p) const { return (*solution.from_normal_form)(p); }
 
     // The integral over slow time of a rate dF/dT, T = eps t: in closed form over the clock (the slow
-    // variable, or T itself) if the ansatz finds it, else a new quadrature `name`. Without additive
+    // variable, or T itself) if the ansatz finds it, of a constant beside a slow variable that relaxes as a
+    // multiple of T, else a new quadrature `name`. Without additive
     // constant. The result lies in the new ring; polynomials of the ring before are stale.
     Polynomial integrate(const Polynomial& rate, const std::string& name);
     // exp(argument) as a generator.
@@ -57,7 +58,8 @@ private:
     GeneratorId extend(Generator g, bool exponential = false);
     void rewrite(const RingMap& map);
     void rebuild_lift();
-    [[nodiscard]] bool uses_slow_time_quadrature(const Polynomial& p) const;
+    // Beside a slow variable: p has no derivative by it in the ring.
+    [[nodiscard]] bool uses_slow_time(const Polynomial& p) const;
 
     struct RefinedRoot { // base (in the normal form's ring) = generator^factor
         GeneratorId base;
@@ -66,7 +68,7 @@ private:
     };
     std::vector<RefinedRoot> refined_;
     GeneratorId clock_ = -1;
-    Polynomial clock_rate_; // d clock/dT
+    Polynomial clock_rate_; // d clock/dT; not constant where the slow variable relaxes
 };
 
 } // namespace resonform

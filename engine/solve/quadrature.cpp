@@ -144,9 +144,21 @@ void add_exponentials(const Ring& ring, GeneratorId x, const Polynomial& f, std:
     }
 }
 
-std::set<Monomial> candidate_monomials(const Ring& ring, GeneratorId x, const Polynomial& f) {
+// The monomials of x f, each divided by those of the speed.
+void add_integrals(const Ring& ring, GeneratorId x, const Polynomial& f, const Polynomial& speed,
+                   std::set<Monomial>& candidates) {
+    std::set<Monomial> raised;
+    insert_monomials(ring.multiply(ring.gen(x), f), raised);
+    for (const Monomial& m : raised)
+        for (const Term& s : speed.terms())
+            if (const Monomial slowed = m - s.monomial; lies_in_ring(ring, slowed))
+                insert_monomials(ring.reduce(Polynomial(slowed, 1)), candidates);
+}
+
+std::set<Monomial> candidate_monomials(const Ring& ring, GeneratorId x, const Polynomial& f,
+                                       const Polynomial& speed) {
     std::set<Monomial> candidates;
-    insert_monomials(ring.multiply(ring.gen(x), f), candidates);
+    add_integrals(ring, x, f, speed, candidates);
     add_exponentials(ring, x, f, candidates);
     add_neighbours(ring, x, candidates);
     return candidates;
@@ -177,7 +189,7 @@ Polynomial hidden_constant(const Ring& ring, GeneratorId x, const Polynomial& p)
 // q log for every monomial q, free of x, by which a derivative of log may meet a term of f or of the
 // derivatives of the candidates.
 std::vector<std::pair<Polynomial, Logarithm>>
-candidate_logarithms(const Ring& ring, GeneratorId x, const Polynomial& f,
+candidate_logarithms(const Ring& ring, GeneratorId x, const Polynomial& f, const Polynomial& speed,
                      const std::vector<Polynomial>& derivatives) {
     std::set<Monomial> reached;
     insert_monomials(f, reached);
@@ -185,8 +197,9 @@ candidate_logarithms(const Ring& ring, GeneratorId x, const Polynomial& f,
     std::vector<std::pair<Polynomial, Logarithm>> result;
     for (const Logarithm& logarithm : logarithms(ring, x)) {
         std::set<Monomial> coefficients;
+        const Polynomial rate = ring.multiply(logarithm.derivative, speed);
         for (const Monomial& m : reached)
-            for (const Term& t : logarithm.derivative.terms()) {
+            for (const Term& t : rate.terms()) {
                 const Monomial q = m - t.monomial;
                 if (is_free_of(ring, q, x) && lies_in_ring(ring, q)) coefficients.insert(q);
             }
@@ -237,15 +250,17 @@ std::vector<Logarithm> logarithms(const Ring& ring, GeneratorId x) {
     return result;
 }
 
-std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const Polynomial& f) {
-    const auto candidates = candidate_monomials(ring, x, f);
+std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const Polynomial& f,
+                                          const Polynomial& speed) {
+    const auto candidates = candidate_monomials(ring, x, f, speed);
     if (candidates.size() > most_candidates) return std::nullopt;
 
     std::vector<Polynomial> derivatives;
-    for (const Monomial& m : candidates) derivatives.push_back(ring.derivative(Polynomial(m, 1), x));
-    const auto logarithmic = candidate_logarithms(ring, x, f, derivatives);
+    for (const Monomial& m : candidates)
+        derivatives.push_back(ring.multiply(speed, ring.derivative(Polynomial(m, 1), x)));
+    const auto logarithmic = candidate_logarithms(ring, x, f, speed, derivatives);
     for (const auto& [q, logarithm] : logarithmic)
-        derivatives.push_back(ring.multiply(q, logarithm.derivative));
+        derivatives.push_back(ring.multiply(q, ring.multiply(speed, logarithm.derivative)));
 
     const Monomial denominator = common_denominator(ring, x, f, derivatives);
     Span span;

@@ -30,10 +30,11 @@ struct ClosedForm {
     std::vector<std::pair<Polynomial, Logarithm>> logarithmic; // coefficient, logarithm
 };
 
-// F with dF/dx = f, F = sum_m c_m m + sum_k q_k log_k, rational c_m over a finite set of monomials
-// (x f and its neighbours under the derivation), q_k free of x. nullopt: not within the ansatz, which
-// proves nothing about elementary integrability.
-std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const Polynomial& f);
+// F with speed dF/dx = f, F = sum_m c_m m + sum_k q_k log_k, rational c_m over a finite set of monomials
+// (x f/speed and its neighbours under the derivation), q_k free of x. Nothing is divided by the speed, which
+// may be zero. nullopt: not within the ansatz, which proves nothing about elementary integrability.
+std::optional<ClosedForm> close_primitive(const Ring& ring, GeneratorId x, const Polynomial& f,
+                                          const Polynomial& speed = Polynomial(Rational(1)));
 
 // p/divisor if the divisor is a unit or divides p term by term of the ring: never a division by
 // something that may be zero.

@@ -8,9 +8,13 @@
 
 namespace resonform {
 
-bool has_explicit_law(const GradedField& field, const SlowVariable& slow) {
-    const auto rate = quotient_in_ring(*field.ring, slow.rate, field.ring->gen(field.eps));
-    return !slow.driven && rate && is_constant(*field.ring, *rate);
+std::optional<SlowPath> explicit_law(const GradedField& field, const SlowVariable& slow) {
+    const Ring& ring = *field.ring;
+    const auto rate = quotient_in_ring(ring, slow.rate, ring.gen(field.eps));
+    if (slow.driven || !rate) return std::nullopt;
+    auto path = slow_path(ring, slow.generator, *rate);
+    if (path && !(is_constant(ring, path->drive) && is_constant(ring, path->decline))) path.reset();
+    return path;
 }
 
 bool solves_by_quadratures(const GradedField& field) {
@@ -24,7 +28,7 @@ bool solves_by_quadratures(const GradedField& field) {
     return field.system().eps_root == 1 && field.modes.size() <= 1 && small && !functions &&
            field.angles.empty() && field.slow.size() <= 1 &&
            std::all_of(field.slow.begin(), field.slow.end(),
-                       [&](const SlowVariable& slow) { return has_explicit_law(field, slow); }) &&
+                       [&](const SlowVariable& slow) { return explicit_law(field, slow).has_value(); }) &&
            field.system().style != Style::hamiltonian &&
            cln::zerop(field.system().near); // a monomial kept by `near` is not resonant, and has a phase
 }

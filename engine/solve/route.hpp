@@ -3,13 +3,16 @@
 #pragma once
 
 #include "expand/expansion/graded_field.hpp"
+#include "solve/slow_law.hpp"
+
+#include <optional>
 
 namespace resonform {
 
-// xi' = eps c
-[[nodiscard]] bool has_explicit_law(const GradedField& field, const SlowVariable& slow);
+// Of xi' = eps (a - b xi), over eps; nullopt: the law is another.
+[[nodiscard]] std::optional<SlowPath> explicit_law(const GradedField& field, const SlowVariable& slow);
 
-// One small oscillator of weight 1 at most, at most one slow variable, xi' = eps*const, no angles, no
+// One small oscillator of weight 1 at most, at most one slow variable of explicit law, no angles, no
 // functions in coefficients, style poincare, no `near`: else the solution is a slow flow.
 [[nodiscard]] bool solves_by_quadratures(const GradedField& field);
 

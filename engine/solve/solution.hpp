@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solution of a normal form. With one small oscillator (or none) and slow variables of explicit law it is
 //
-//   xi = xi_0 + eps v t,  w = Delta e^{i theta},  Delta = eps C E(xi) (1 + eps^2 B_2(xi) + ...)   (21)
+//   xi = xi_0 + eps v t (or one that relaxes),  w = Delta e^{i theta},  Delta = eps C E(xi) (1 + eps^2 B_2(xi) + ...)   (21)
 //   theta = theta_0 + int_0^t (omega(xi) + eps^2 Theta_2(xi) + ...) dt
 //   z_X = C_X + closed primitives + quadratures from xi_0
 //   psi, x, y = the map with all this put in, by powers of eps through N                    (22), (23)
@@ -16,6 +16,7 @@
 #include "normalize/recursion/normal_form.hpp"
 #include "solve/flow/slow_flow.hpp"
 #include "solve/flow/solve_options.hpp"
+#include "solve/slow_law.hpp"
 
 #include <memory>
 #include <optional>
@@ -35,13 +36,14 @@ struct Primitive {
     std::string name; // "Q_x2", "L1"
     PrimitiveKind kind;
     Polynomial argument;         // in Solution::ring
-    bool over_slow_time = false; // quadrature: over T = eps t instead of xi
+    bool over_slow_time = false; // in terms of T = eps t: its derivative by xi is no element of the ring
 };
 
-struct SlowLaw {           // xi(t) = xi_0 + eps rate t
+struct SlowLaw {           // xi' = eps rate
     std::size_t variable;  // index into system.variables
     GeneratorId generator; // in Solution::ring
-    Polynomial rate;       // constant: parameters only
+    Polynomial rate;       // a - b xi with a and b of parameters only
+    SlowPath path;         // a and b
 };
 
 struct ModeSolution {
@@ -75,7 +77,7 @@ struct Solution {
     std::shared_ptr<const RingMap> from_normal_form; // for polynomials free of modes: sigma -> rho^2, ...
     GeneratorId eps;
     std::vector<SlowLaw> slow;            // none or one
-    std::optional<GeneratorId> slow_time; // T = eps t: in the ring if there is no slow variable
+    std::optional<GeneratorId> slow_time; // T = eps t: in the ring if no slow variable moves evenly
     std::vector<ModeSolution> modes;      // none or one
     std::vector<DriftSolution> drift;
     std::vector<Primitive> primitives;   // a primitive uses only earlier ones

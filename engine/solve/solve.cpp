@@ -160,8 +160,13 @@ void check_projected(const Solution& solution, const SolveOptions& options) {
 } // namespace
 
 bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
-    return solves_by_quadratures(*normal_form.field) && !normal_form.field->system().has_opaque_functions() &&
-           (time_scale < 2 || amplitude_is_constant(normal_form));
+    const GradedField& field = *normal_form.field;
+    const auto relaxes = [&](const SlowVariable& slow) {
+        return !explicit_law(field, slow)->decline.empty();
+    };
+    return solves_by_quadratures(field) && !field.system().has_opaque_functions() &&
+           (time_scale < 2 || (amplitude_is_constant(normal_form) &&
+                               std::none_of(field.slow.begin(), field.slow.end(), relaxes)));
 }
 
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {

@@ -5,9 +5,9 @@
 //   system      davis_skodje
 //   scene       onto_the_manifold: From above onto the slow manifold
 //   order       3, normal form and map through weight 4
-//   operations  3 add, 3 multiply, 1 divide, 0 root, 0 sincos, 1 other, 1 tables
-//   written out 3 add, 4 multiply, 1 divide, 0 root, 0 sincos, 0 other, 3 tables
-//   many points from tables of 3 rows (87 operations, 90 from atoms, 154 one by one)
+//   operations  3 add, 6 multiply, 1 divide, 0 root, 0 sincos, 2 other, 0 tables
+//   written out 3 add, 10 multiply, 1 divide, 0 root, 0 sincos, 3 other, 0 tables
+//   many points from tables of 3 rows (87 operations, 102 from atoms, 137 one by one)
 //
 // z1 = a1*exp(chi)
 // a1 = u_y
@@ -22,8 +22,8 @@
 #include "runtime/decay.hpp"
 #include "runtime/ensemble.hpp"
 #include "runtime/final_point.hpp"
-#include "runtime/flow.hpp"
 #include "runtime/interval.hpp"
+#include "runtime/layer.hpp"
 #include "runtime/tabulated.hpp"
 
 #include <algorithm>
@@ -90,17 +90,12 @@ public:
     // Anything but ok and low_precision: the values are not numbers.
     Status operator()(const Real& t, Values& values) const noexcept { return at(t, Real(0), values); }
 
-    // The outputs at one time t >= 0, construction included: nothing is tabulated or allocated, unless
-    // the flow leaves its domain or hardly resolves.
+    // The outputs at one time t >= 0, construction included: nothing is tabulated or allocated.
     static Status at_end(const Real& eps, const Parameters& parameters, const Start& start, const Real& t, Values& values) noexcept {
         Constants<Real> c;
         Arguments a;
         const Status located = locate_end(eps, parameters, start, t, c, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        if (!answers) { // what the tables of an evaluator say
-            const Real end = eps * t, least = Real(1e-249);
-            return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
-        }
         const Status status = answers ? outputs(c, a, values) : located;
         if (status == Status::ok) return located;
         const Real none = resonform::math::not_a_number<Real>();
@@ -152,29 +147,29 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number x_0{};
         Number c_1{};
         Number c_2{};
+        Number x_0{};
         Number c_3{};
         Number u_y{};
     };
 
     template <class Number> static void compute_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c) {
-        c.x_0 = Number(start.x_0);
         c.c_1 = Number(0);
         const Number eps = Number(given_eps);
         c.c_2 = -(Number(1) / eps);
+        c.x_0 = Number(start.x_0);
         const Number y_0 = Number(start.y_0);
         c.c_3 = Number(1) + c.x_0;
         c.u_y = Number(Evaluator::difference_1(resonform::WideNumber<Number>(c.x_0), resonform::WideNumber<Number>(y_0)));
     }
 
-    // The slow flow: dx/dT
-    template <class Number> static std::array<Number, 1> flow_rates(
-            [[maybe_unused]] const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 1>& flow) {
-        const Number x = flow[0];
-        return {Number(-x)};
+    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
+    // map are half of the amplitudes, or a slow variable came to rest long ago.
+    template <class Number> static std::array<Number, 1> layers(
+            [[maybe_unused]] const Constants<Number>& c, const Number& T) {
+        return {Number(Number(4096) - T)};
     }
 
     // dchi/dT
@@ -186,16 +181,16 @@ private:
     // What differs from call to call.
     struct Arguments {
         Real T{}; // slow time eps t
-        std::array<Real, 1> tables{};
         Real exp_chi{};
     };
 
     static Status outputs(const Constants<Real>& c, const Arguments& a, Values& values) {
-        const Real x = a.tables[0];
+        const Real q_1 = exp(Real(-a.T));
+        const Real x = c.x_0 * q_1;
         const Real s = x + Real(1);
         const Real per_s = per(s);
         const Real re_y = c.u_y * a.exp_chi;
-        const Real y_0 = per_s * (re_y + x * (re_y + Real(1)));
+        const Real y_0 = per_s * (re_y + c.x_0 * q_1 * (re_y + Real(1)));
         if (!(x > Real(0))) return Status::outside_domain;
         values.x = x;
         values.y = y_0;
@@ -204,29 +199,25 @@ private:
 
     // Of the rows; NaN outside of the domain.
     template <class Number> static std::array<Number, 3> amplitudes(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 1>& tables) {
-        const Number x = tables[0];
+            const Constants<Number>& c, const Number& T) {
+        const Number q_1 = exp(Number(-T));
+        const Number x = c.x_0 * q_1;
         const Number s = x + Number(1);
         const Number per_s = per(s);
         std::array<Number, 3> none;
         none.fill(resonform::math::not_a_number<Number>());
         if (!(x > Number(0))) return none;
-        return {Number(x), Number(x * per_s), Number(c.u_y)};
+        return {Number(x), Number(c.x_0 * q_1 * per_s), Number(c.u_y)};
     }
 
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
 
-    std::array<Real, 1> look_up_1(const Real& T) const noexcept {
-        return tables_0_(T);
-    }
-
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
         if (const Status located = interval_.locate(t, a.T); located != Status::ok) return located;
-        a.tables = look_up_1(a.T);
         a.exp_chi = chi_(t, low);
         Status status = Status::ok;
         return status;
@@ -263,7 +254,7 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+        std::array<double, 3> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;
@@ -302,23 +293,22 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true, steady = false, packs = false;
-        static constexpr std::array<std::size_t, 1> levels{1};
-        static constexpr std::size_t columns = 1, angles = 1;
+        static constexpr bool flow = false, nested = false, steady = true, packs = false;
+        static constexpr std::array<std::size_t, 0> levels{};
+        static constexpr std::size_t columns = 0, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};
         static constexpr std::array<bool, 1> decays{true};
         static constexpr std::array<unsigned long long, 1> fades{0};
-        using Columns = std::array<Real, 1>;
+        using Columns = std::array<Real, 0>;
 
         const Real& eps;
         const Parameters& parameters;
         const Start& given;
         const Constants<Real>& c;
 
-        Columns start() const { return {c.x_0}; }
-        std::array<Real, 1> rates(std::integral_constant<std::size_t, 0>, const Real& T, const Columns& row) const {
-            return flow_rates(c, T, row);
-        }
+        Columns start() const { return {}; }
+        static constexpr int samples = resonform::broad_layer_samples;
+        auto margins(const Real& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 1>{c.c_3}; }
         template <class Number> struct Angles {
             Constants<Number> c;
@@ -347,7 +337,6 @@ private:
         return status;
     }
     template <class Point> static void take([[maybe_unused]] const Point& point, [[maybe_unused]] Arguments& a) {
-        a.tables = point.tables;
         a.exp_chi = point.power[0];
     }
 
@@ -360,8 +349,8 @@ private:
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T, const std::array<Real, 1>& flow) { return flow_rates(constants_, T, flow); },
-                              {constants_.x_0}, reach), "slow flow"}, reach);
+                resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
+                                           std::array{"x"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;
@@ -376,7 +365,6 @@ private:
 
     Constants<Real> constants_;
     Interval interval_;
-    resonform::FlowTable<std::array<Real, 1>> tables_0_;
     resonform::Decay<Real> chi_;
     Real eps_{};
     Start start_;

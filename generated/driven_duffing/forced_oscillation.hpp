@@ -337,7 +337,7 @@ private:
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
-    // map are half of the amplitudes.
+    // map are half of the amplitudes, or a slow variable came to rest long ago.
     template <class Number> static std::array<Number, 2> layers(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];

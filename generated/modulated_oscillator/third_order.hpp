@@ -723,7 +723,7 @@ private:
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
-    // map are half of the amplitudes.
+    // map are half of the amplitudes, or a slow variable came to rest long ago.
     template <class Number> static std::array<Number, 3> layers(
             const Constants<Number>& c, const Number& T, const std::array<Number, 2>& flow) {
         const Number u_x = flow[0];

@@ -32,16 +32,25 @@ class Solution(Answer):
     def rate_of_mode(self, normal_form, point):
         """Of z1 = Delta*exp(I*theta) at theta = 0: Delta' + I*Delta*theta'."""
         assert normal_form.document["order"] >= self.document["truncation"]
-        rates = {key(s["variable"]) + "_dot": point["eps"]*point.value(notation(s["rate"]))
-                 for s in self.document["slow"]}
+        rates = {key(s["variable"]) + "_dot": point["eps"]*(point.value(notation(s["rate"])) -
+                 self.decline(s, point)*point[key(s["variable"])]) for s in self.document["slow"]}
         point.update(rates, z1=point["Delta"], z2=point["Delta"])
         return mpmath.mpc(normal_form.sum([t for t in normal_form.document["normal_form"]
                                            if t["variable"] == "z1" and t["weight"] <= self.document["truncation"]],
                                           point))
 
+    def decline(self, law, point):
+        return point.value(notation(law["decline"])) if "decline" in law else 0
+
     def slow(self, name, point):
-        law = next(s for s in self.document["slow"] if key(s["variable"]) == name)
-        return point[key(law["start"])] + point["eps"]*point["t"]*point.value(notation(law["rate"]))
+        law = next((s for s in self.document["slow"] if key(s["variable"]) == name), None)
+        if law is None:  # T
+            return point["eps"]*point["t"]
+        start, time = point[key(law["start"])], point["eps"]*point["t"]
+        rate, decline = point.value(notation(law["rate"])), self.decline(law, point)
+        if decline == 0:
+            return start + time*rate
+        return start*mpmath.exp(-decline*time) - rate/decline*mpmath.expm1(-decline*time)
 
     def output(self, name, point, phase):
         if self.flow:

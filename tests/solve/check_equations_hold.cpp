@@ -60,6 +60,15 @@ TEST(Equations, HoldForTheStiffeningSpring) {
     }
 }
 
+TEST(Equations, HoldForASpringWhoseStiffnessRelaxes) {
+    const Flow flow(solution_of_text(relaxing_spring, 3, 5));
+    const Ring& ring = flow.ring();
+    const Polynomial x = flow.state("x"), s = flow.symbol("s");
+    flow.expect_zero(flow.rate(x) - flow.state("x'"));
+    const Polynomial force = ring.multiply(Rational(2) * ring.one() + ring.power(s, 2), x) + ring.power(x, 3);
+    flow.expect_zero(flow.rate(flow.state("x'")) + force);
+}
+
 TEST(Equations, HoldForDuffingWithADrift) {
     const Flow flow(solution_of_text(duffing, 4, 5));
     const Ring& ring = flow.ring();

@@ -38,6 +38,18 @@ TEST(Quadrature, FindsNeighboursOfTheOtherSign) {
     EXPECT_EQ(closed->algebraic, e.term(third, -2, 0, 1, -12) + e.term(2 * third, -4, 0, 1, -4));
 }
 
+TEST(Quadrature, ClosesAlongAClockWhoseSpeedMayVanish) {
+    const EighthRoot e; // x' = v - x:  F = (v - x)^2 x^2 s^-3
+    const Polynomial speed = e.term(1, 0, 1, 0, 0) - e.term(1, 0, 0, 1, 0);
+    const Polynomial expected = e.ring->multiply(e.ring->power(speed, 2), e.term(1, 0, 0, 2, -24));
+    const Polynomial f = e.ring->multiply(speed, e.ring->derivative(expected, e.x));
+    const auto closed = close_primitive(*e.ring, e.x, f, speed);
+    ASSERT_TRUE(closed);
+    EXPECT_EQ(closed->algebraic, expected);
+    EXPECT_TRUE(closed->logarithmic.empty());
+    EXPECT_FALSE(close_primitive(*e.ring, e.x, e.term(1, 0, 0, 0, 0), speed)); // the time itself
+}
+
 TEST(Quadrature, FindsTheCatenary) {
     const EighthRoot e; // r s^(-1/2) -> r log((x + s^(1/2))/r)
     const auto closed = close_primitive(*e.ring, e.x, e.term(1, 1, 0, 0, -4));

@@ -12,6 +12,9 @@ inline const std::string stiffening_spring =
     test::system_text("stiffening_spring", {{"x", "fast", "x'' + (2 + tau^2)*x + (1 + tau)*x^3 = 0"},
                                             {"tau", "slow", "tau' = eps"}});
 
+inline const std::string relaxing_spring = test::system_text(
+    "relaxing_spring", {{"x", "fast", "x'' + (2 + s^2)*x + x^3 = 0"}, {"s", "slow", "s' = eps*(1 - 2*s)"}});
+
 inline const std::string duffing =
     test::system_text("duffing", {{"x", "fast", "x'' + x + x^3 = 0"}, {"X", "drift", "X' = eps*x^2 + eps"}});
 

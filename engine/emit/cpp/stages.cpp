@@ -104,7 +104,7 @@ std::string CppStages::layers() {
                                       "flow");
     return "    // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first "
            "corrections of the\n"
-           "    // map are half of the amplitudes.\n" +
+           "    // map are half of the amplitudes, or a slow variable came to rest long ago.\n" +
            function.print(frame) + "\n";
 }
 

@@ -24,13 +24,15 @@ class SolutionJson {
 public:
     explicit SolutionJson(const Solution& solution) : solution_(solution), ring_(*solution.ring) {}
 
-    // xi = start + eps*rate*t
+    // xi' = eps*(rate - decline*xi) from start
     [[nodiscard]] Json slow() const {
         Json list = Json::array();
-        for (const SlowLaw& law : solution_.slow)
+        for (const SlowLaw& law : solution_.slow) {
             list.push_back({{"variable", name(law.variable)},
                             {"start", name(law.variable) + "_0"},
-                            {"rate", json_expression(ring_, law.rate)}});
+                            {"rate", json_expression(ring_, law.path.drive)}});
+            if (!law.path.decline.empty()) list.back()["decline"] = json_expression(ring_, law.path.decline);
+        }
         return list;
     }
 

@@ -92,10 +92,8 @@ void ProgramBuilder::define_constant_roots(Lowering& lowering) {
     }
 }
 
-// xi = xi_0 + rate T
 void ProgramBuilder::define_slow_variables() {
-    Graph& graph = program_.graph;
-    Lowering lowering(graph, solution_.ring);
+    Lowering lowering(program_.graph, solution_.ring);
     for (GeneratorId id = 0; id < solution_.ring->size(); ++id)
         if (const auto known = surroundings_.symbols.find(solution_.ring->generator(id).name);
             known != surroundings_.symbols.end())
@@ -104,19 +102,15 @@ void ProgramBuilder::define_slow_variables() {
     for (const SlowLaw& law : solution_.slow) {
         const Variable& variable = solution_.system().variables[law.variable];
         const Graph::Node begin = input(variable.name + "_0", variable.name + " at t = 0", variable.name);
-        const Graph::Node rate = lowering.radicand(law.rate);
-        const Graph::Node value = graph.add({begin, graph.multiply({rate, program_.slow_time})});
+        const Graph::Node drive = lowering.radicand(law.path.drive);
+        const bool relaxes = !law.path.decline.empty();
+        const Graph::Node value =
+            value_on_path(variable.name, begin, drive, relaxes ? lowering.radicand(law.path.decline) : -1);
         slow_starts_[law.generator] = begin;
-        slow_values_[law.generator] = names_[variable.name] = value;
-        quadratures_.set_clock_rate(rate);
+        slow_values_[law.generator] = value;
+        if (!relaxes) quadratures_.set_clock_rate(drive);
         program_.slow.push_back({variable.name, value});
-        program_.names.push_back({variable.name, value});
-        // A variable declared nonzero must keep the sign that it starts with.
-        if (variable.nonzero && !variable.positive)
-            program_.positive.push_back({graph.multiply({begin, value}), variable.name});
-        if (!variable.positive) continue;
-        program_.positive.push_back({value, variable.name});
-        surroundings_.positive.insert({begin, value});
+        move_slow(variable, variable.name, begin, value);
     }
 }
 

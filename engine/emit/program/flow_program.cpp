@@ -2,7 +2,6 @@
 #include "emit/program/flow_program.hpp"
 
 #include "algebra/number/error.hpp"
-#include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
 #include "emit/graph/conditioning.hpp"
@@ -17,6 +16,7 @@
 #include "model/text/eps_powers.hpp"
 #include "solve/flow/flow_harmonics.hpp"
 #include "solve/flow/slow_flow.hpp"
+#include "solve/slow_law.hpp"
 
 #include <fmt/format.h>
 
@@ -121,37 +121,25 @@ void FlowProgram::define_flow() {
     for (std::size_t k = 0; k < field_.slow.size(); ++k) define_slow(k);
 }
 
-// xi = xi_0 + rate T where the rate is a constant, else a variable of the flow.
+// By its path where that is known, else a variable of the flow.
 void FlowProgram::define_slow(std::size_t k) {
-    Graph& graph = program_.graph;
     const SlowVariable& slow = field_.slow[k];
     const Variable& variable = solution_.system().variables[slow.variable];
     const Polynomial rate = flow_.slow[k].total(flow_.slow[k].through());
-    const bool constant = std::all_of(rate.terms().begin(), rate.terms().end(), [&](const Term& t) {
-        return is_constant(
-            *field_.ring,
-            Polynomial(t.monomial -
-                           field_.ring->monomial(field_.eps, field_.ring->exponent(t.monomial, field_.eps)),
-                       1));
-    });
     Graph::Node value = -1;
-    if (constant) {
+    if (const auto path = slow_path(*field_.ring, slow.generator, rate)) {
         FlowMoment at_start(program_, real_, surroundings_, start_, false);
-        const Graph::Node speed = per_slow_time(at_start.lowering, real_(rate).re, 0);
-        value = graph.add({start_.slow[k], graph.multiply({speed, program_.slow_time})});
+        const auto constant = [&](const Polynomial& p) {
+            return per_slow_time(at_start.lowering, real_(p).re, 0);
+        };
+        value = value_on_path(variable.name, start_.slow[k], constant(path->drive),
+                              path->decline.empty() ? -1 : constant(path->decline));
     } else {
-        value = graph.symbol("flow " + slow.name);
+        value = program_.graph.symbol("flow " + slow.name);
         program_.flow.push_back({identifier(slow.name), start_.slow[k], -1, value});
     }
     moving_.slow.push_back(value);
-    names_[variable.name] = value;
-    program_.names.push_back({slow.driven ? variable.name + "_mean" : variable.name, value});
-    // A variable declared nonzero must keep the sign that it starts with.
-    if (variable.nonzero && !variable.positive)
-        program_.positive.push_back({graph.multiply({start_.slow[k], value}), variable.name});
-    if (!variable.positive) return;
-    program_.positive.push_back({value, variable.name});
-    surroundings_.positive.insert({start_.slow[k], value});
+    move_slow(variable, slow.driven ? variable.name + "_mean" : variable.name, start_.slow[k], value);
 }
 
 // Moving small divisors must keep the sign that they start with: a change crosses a resonance surface. Two

@@ -15,7 +15,8 @@ class Quadratures {
 public:
     Quadratures(Program& program, const Solution& solution) : program_(program), solution_(solution) {}
 
-    // d(slow variable)/dT: turns an integral over the slow variable into one over T.
+    // d(slow variable)/dT, a constant: turns an integral over the slow variable into one over T. Where it is
+    // none, all integrals are over T.
     void set_clock_rate(Graph::Node rate) { clock_rate_ = rate; }
 
     // A table of this quadrature alone; its value.

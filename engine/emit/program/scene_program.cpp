@@ -4,8 +4,10 @@
 #include "algebra/number/error.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
+#include "emit/graph/conditioning.hpp"
 #include "emit/graph/from_expression.hpp"
 #include "model/files/interval_length.hpp"
+#include "solve/slow_law.hpp"
 
 #include <fmt/format.h>
 
@@ -76,6 +78,32 @@ void SceneProgram::define_parameters() {
         if (parameter.positive) surroundings_.positive.insert(node);
         surroundings_.symbols[parameter.name] = names_[parameter.name] = node;
     }
+}
+
+// xi_0 + drive T, or xi_0 e^{-bT} + drive (1 - e^{-bT})/b: where xi_0, drive and b are positive, nothing
+// cancels, and the second part keeps its digits where b T is small.
+Graph::Node SceneProgram::value_on_path(const std::string& xi, Graph::Node begin, Graph::Node drive,
+                                        Graph::Node decline) {
+    Graph& graph = program_.graph;
+    if (decline < 0) return graph.add({begin, graph.multiply({drive, program_.slow_time})});
+    const Graph::Node exponent = graph.negate(graph.multiply({decline, program_.slow_time}));
+    if (!signs_of(graph, graph.negate(decline), surroundings_.positive).is_positive())
+        program_.layers.push_back({graph.add({graph.rational(most_relaxations), exponent}), xi, false, true});
+    const Graph::Node lost = graph.negate(graph.function(Graph::Op::expm1, {exponent}));
+    return graph.add({graph.multiply({begin, graph.function(Graph::Op::exp, {exponent})}),
+                      graph.multiply({drive, graph.power(decline, -1), lost})});
+}
+
+void SceneProgram::move_slow(const Variable& variable, const std::string& called, Graph::Node begin,
+                             Graph::Node value) {
+    names_[variable.name] = value;
+    program_.names.push_back({called, value});
+    // A variable declared nonzero must keep the sign that it starts with.
+    if (variable.nonzero && !variable.positive)
+        program_.positive.push_back({program_.graph.multiply({begin, value}), variable.name});
+    if (!variable.positive) return;
+    program_.positive.push_back({value, variable.name});
+    surroundings_.positive.insert({begin, value});
 }
 
 // c_0 + eps (c_1 + eps (c_2 + ...)), each c_n named

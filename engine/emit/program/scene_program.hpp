@@ -30,6 +30,14 @@ protected:
                                  const std::string& name,
                                  const std::function<Graph::Node(const Polynomial&, int power)>& value);
 
+    // xi at slow time T, where d xi/dT = drive - decline xi from begin. decline: not zero, or -1 for none;
+    // the evaluator ends after most_relaxations of it.
+    Graph::Node value_on_path(const std::string& xi, Graph::Node begin, Graph::Node drive,
+                              Graph::Node decline);
+    // Gives a slow variable its value during a call, and adds the conditions of its sign. called: its name
+    // for readers.
+    void move_slow(const Variable& variable, const std::string& called, Graph::Node begin, Graph::Node value);
+
     const Solution& solution_;
     const Scene& scene_;
     const ProgramOptions& options_;

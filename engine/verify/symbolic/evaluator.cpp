@@ -4,6 +4,7 @@
 #include "runtime/interval.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/phase.hpp"
+#include "solve/slow_law.hpp"
 #include "verify/symbolic/integral.hpp"
 #include "verify/symbolic/margins.hpp"
 #include "verify/symbolic/turning.hpp"
@@ -66,6 +67,13 @@ struct SymbolicEvaluator::Impl {
         if (!conditions_hold(frame.constants, false)) return Status::outside_domain;
         const bool has_layers = !margins.empty();
         Wide reach = has_layers ? inputs.slow_time_end : wanted;
+        for (const SymbolicFrame::Variable& v : frame.variables) {
+            if (v.motion != SymbolicMotion::relaxes || !(v.decline > 0)) continue;
+            const Wide rest = most_relaxations / v.decline;
+            if (!(rest < inputs.slow_time_end)) continue;
+            goes_on(Status::outside_domain, rest);
+            reach = std::min(reach, rest);
+        }
         const auto tabulate = [&](Status built) {
             if (built != Status::ok) tabulated = std::min(tabulated, reach);
             return goes_on(built, reach);

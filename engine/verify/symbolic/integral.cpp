@@ -223,13 +223,20 @@ SymbolicFrame::SymbolicFrame(std::shared_ptr<const SymbolicSolution> s, const Sy
         const SymbolicVariable& v = solution->variables()[k];
         variables[k].motion = SymbolicMotion::rests;
         if (!v.needed || v.rate.empty()) continue;
-        if (any_moves(v.rate)) {
+        const auto per_slow_time = [&](const SymbolicSum& rate) {
+            return (1 / math::power(small, v.power)) * value_of(rate, constants);
+        };
+        if (!v.decline.empty()) {
+            variables[k].motion = SymbolicMotion::relaxes;
+            variables[k].speed = per_slow_time(v.drive);
+            variables[k].decline = per_slow_time(v.decline).re;
+        } else if (any_moves(v.rate)) {
             variables[k].motion = SymbolicMotion::computed;
             const bool in_flow = v.kind == Of::slow || v.kind == Of::mode || v.kind == Of::angle;
             (in_flow ? flow : along).push_back(k);
         } else {
             variables[k].motion = SymbolicMotion::uniform;
-            variables[k].speed = (1 / math::power(small, v.power)) * value_of(v.rate, constants);
+            variables[k].speed = per_slow_time(v.rate);
         }
     }
 }
@@ -256,6 +263,23 @@ void SymbolicMoment<Number>::put_mode(const SymbolicFrame& frame, const Symbolic
     values.set(variable.conjugate, z.conjugate(), size);
 }
 
+template <class Number>
+Number SymbolicMoment<Number>::move_along_path(const SymbolicFrame& frame, std::size_t k, const Number& T) {
+    using math::exp;
+    using math::expm1;
+    const SymbolicFrame::Variable& v = frame.variables[k];
+    const Number begin = narrowed<Number>(v.start.re), speed = narrowed<Number>(v.speed.re);
+    if (v.motion == SymbolicMotion::uniform) {
+        const Number way = T * speed;
+        now[k] = {begin + way, narrowed<Number>(v.start.im) + T * narrowed<Number>(v.speed.im)};
+        return math::magnitude(begin) + math::magnitude(way);
+    }
+    const Number b = narrowed<Number>(v.decline), left = exp(Number(-b * T)) * begin,
+                 way = -(speed / b) * expm1(Number(-b * T));
+    now[k] = {left + way, Number(0)};
+    return math::magnitude(left) + math::magnitude(way);
+}
+
 template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame& frame, const Number& T) {
     using math::exp;
     const SymbolicSolution& solution = *frame.solution;
@@ -263,12 +287,8 @@ template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame
     for (std::size_t k = 0; k < now.size(); ++k) {
         const SymbolicFrame::Variable& v = frame.variables[k];
         if (v.motion == SymbolicMotion::rests) continue;
-        Number size = math::magnitude(now[k].re);
-        if (v.motion == SymbolicMotion::uniform) {
-            const Number begin = narrowed<Number>(v.start.re), way = T * narrowed<Number>(v.speed.re);
-            now[k] = {begin + way, narrowed<Number>(v.start.im) + T * narrowed<Number>(v.speed.im)};
-            size = math::magnitude(begin) + math::magnitude(way);
-        }
+        const Number size =
+            v.motion == SymbolicMotion::computed ? math::magnitude(now[k].re) : move_along_path(frame, k, T);
         const SymbolicVariable& variable = solution.variables()[k];
         switch (variable.kind) {
         case Of::slow:

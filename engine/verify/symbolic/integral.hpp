@@ -12,7 +12,7 @@
 
 namespace resonform {
 
-enum class SymbolicMotion { rests, uniform, computed };
+enum class SymbolicMotion { rests, uniform, relaxes, computed };
 
 // Numbers at one start, before anything is integrated.
 struct SymbolicFrame {
@@ -24,6 +24,7 @@ struct SymbolicFrame {
     struct Variable {
         SymbolicMotion motion = SymbolicMotion::rests;
         WideComplex start, speed; // uniform: start + speed T
+        Wide decline = 0;         // relaxes: d/dT = speed.re - decline times itself
     };
     std::vector<Variable> variables;      // one for each of the solution's
     std::vector<std::size_t> flow, along; // indices of those that are integrated
@@ -39,8 +40,10 @@ template <class Number> struct SymbolicMoment {
     std::vector<Complex> now; // of each variable
 
     explicit SymbolicMoment(const SymbolicFrame& frame);
-    // Sets the variables that move uniformly, then all generators. Precondition: `now` of the others is set.
+    // Sets the variables of known motion, then all generators. Precondition: `now` of the others is set.
     void move_to(const SymbolicFrame& frame, const Number& T);
+    // Of the variable k, from its start; returns the size of what `now` is the sum of.
+    Number move_along_path(const SymbolicFrame& frame, std::size_t k, const Number& T);
     // The generators of a mode that has the value a: eps^weight a.
     void put_mode(const SymbolicFrame& frame, const SymbolicVariable& variable, const Complex& a);
 };

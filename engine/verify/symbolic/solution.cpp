@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "algebra/number/functions.hpp"
 #include "solve/flow/slow_flow.hpp"
+#include "solve/slow_law.hpp"
 #include "solve/small_divisors.hpp"
 
 #include <fmt/format.h>
@@ -70,12 +71,16 @@ std::size_t SymbolicSolution::add(SymbolicVariable variable) {
     return variables_.size() - 1;
 }
 
-void SymbolicSolution::add_slow(const Variable& variable, GeneratorId id, std::size_t start, SymbolicSum rate,
-                                int power) {
+void SymbolicSolution::add_slow(const Variable& variable, GeneratorId id, std::size_t start,
+                                const Polynomial& rate, int power) {
     SymbolicVariable slow{Of::slow, id};
     slow.power = power;
     slow.start = start;
-    slow.rate = std::move(rate);
+    slow.rate = ring_->fixed()(rate);
+    if (const auto path = slow_path(ring_->ring(), id, rate)) {
+        slow.drive = ring_->fixed()(path->drive);
+        slow.decline = ring_->fixed()(path->decline);
+    }
     add(std::move(slow));
     slow_symbols_.push_back(GiNaC::ex_to<GiNaC::symbol>(variable.jet.front()));
     const SymbolicSum itself{{1, {{id, 1}}}};
@@ -133,7 +138,7 @@ void SymbolicSolution::read_closed() {
     slow_time_ = solution_.slow_time;
     for (std::size_t k = 0; k < solution_.slow.size(); ++k) {
         const SlowLaw& law = solution_.slow[k];
-        add_slow(system.variables[law.variable], law.generator, k, fixed(law.rate), 0);
+        add_slow(system.variables[law.variable], law.generator, k, law.rate, 0);
     }
     for (const Primitive& p : solution_.primitives) {
         if (p.kind != PrimitiveKind::quadrature) {
@@ -187,7 +192,7 @@ void SymbolicSolution::read_flow() {
     const auto all = [](const Series& series) { return series.total(series.through()); };
     for (std::size_t k = 0; k < field.slow.size(); ++k)
         add_slow(field.system().variables[field.slow[k].variable], field.slow[k].generator, k,
-                 fixed(all(flow.slow[k])), power);
+                 all(flow.slow[k]), power);
     const std::size_t phases = variables_.size(), decays = phases + flow.phases.size();
     const auto add_phases = [&](Of kind, const std::vector<Polynomial>& rates) {
         for (const Polynomial& rate : rates) {

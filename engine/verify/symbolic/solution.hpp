@@ -32,6 +32,7 @@ struct SymbolicVariable { // d/dT = rate/eps^power, in powers of the ring's eps,
     std::optional<std::size_t> phase = {}, decay = {}; // mode, angle: indices of the variables theta and chi
     std::size_t start = 0;                             // index into SymbolicStart
     SymbolicSum rate = {};                             // with the phases left out of modes and angles
+    SymbolicSum drive = {}, decline = {};              // slow, if rate = drive - decline zeta: constants
     bool needed = false;                               // by an output
 };
 
@@ -103,7 +104,8 @@ private:
     void read_closed();
     void read_flow();
     std::size_t add(SymbolicVariable variable);
-    void add_slow(const Variable& variable, GeneratorId id, std::size_t start, SymbolicSum rate, int power);
+    void add_slow(const Variable& variable, GeneratorId id, std::size_t start, const Polynomial& rate,
+                  int power);
     void add_layers(const std::function<Polynomial(const Polynomial&)>& lifted);
     void add_corrections();
     void add_conditions();

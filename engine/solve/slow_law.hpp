@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Laws of slow variables whose solutions are known:
+//
+//   xi' = a          xi = xi_0 + a t
+//   xi' = a - b xi   xi = xi_0 e^{-bt} + (a/b) (1 - e^{-bt})
+#pragma once
+
+#include "algebra/ring/ring.hpp"
+
+#include <optional>
+
+namespace resonform {
+
+// a and b of xi' = a - b xi, free of all that moves. decline: no term, or one that is not zero, so that
+// (over a power of eps) the ring has its inverse.
+struct SlowPath {
+    Polynomial drive, decline;
+};
+
+// Of this rate of the slow variable xi. nullopt: it is of another kind, or b is not proved to be nonzero.
+[[nodiscard]] std::optional<SlowPath> slow_path(const Ring& ring, GeneratorId xi, const Polynomial& rate);
+
+// Integrals over e^{-bT} are trusted up to b T = most_relaxations: what is over within a smaller part of an
+// interval may lie between all the places at which it is looked at.
+inline constexpr int most_relaxations = 4096;
+
+} // namespace resonform
