@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The order in which lies are asked at many starts: most are caught at any of them, and the few that are not
+// where others like them were.
+#pragma once
+
+#include "verify/run/parallel.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace resonform {
+
+class OrderOfStarts {
+public:
+    explicit OrderOfStarts(std::size_t starts) : order_(starts), ends_(starts) {
+        std::iota(order_.begin(), order_.end(), std::size_t(0));
+    }
+
+    // Whether is_end(j, ask(j)) at a start j with takes(j). They are asked side by side, one at first, then
+    // up to at_a_time, and looked at in their order up to the first end: what is seen is the same on every
+    // machine.
+    template <class Takes, class Ask, class IsEnd>
+    bool ends(const Takes& takes, std::size_t at_a_time, const Ask& ask, const IsEnd& is_end) {
+        std::vector<std::size_t> taken; // positions in the order
+        for (std::size_t k = 0; k < order_.size(); ++k)
+            if (takes(order_[k])) taken.push_back(k);
+        std::size_t count = 1;
+        for (std::size_t first = 0; first < taken.size(); first += count) {
+            count = std::min(first == 0 ? 1 : at_a_time, taken.size() - first);
+            std::vector<std::decay_t<decltype(ask(std::size_t(0)))>> answers(count);
+            in_parallel(count, [&](std::size_t k) { answers[k] = ask(order_[taken[first + k]]); });
+            for (std::size_t k = 0; k < count; ++k)
+                if (is_end(order_[taken[first + k]], answers[k])) {
+                    move_forward(taken[first + k]);
+                    return true;
+                }
+        }
+        return false;
+    }
+
+private:
+    void move_forward(std::size_t at) {
+        ++ends_[order_[at]];
+        for (; at > 0 && ends_[order_[at]] > ends_[order_[at - 1]]; --at)
+            std::swap(order_[at], order_[at - 1]);
+    }
+
+    std::vector<std::size_t> order_;
+    std::vector<std::size_t> ends_; // of each start
+};
+
+} // namespace resonform
