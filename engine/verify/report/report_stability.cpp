@@ -25,14 +25,18 @@ std::string what_figures_show(const Stability& s) {
                        fmt::join(statuses, ", "));
 }
 
-// "a 10⁻¹² … 3, t 0 … 10⁵"
+std::string range_of(double low, double high) {
+    return low == high ? short_number(low) : short_number(low) + " … " + short_number(high);
+}
+
+// "a 1.00·10⁻¹² … 3, b 1, t 0 … 1.00·10⁵"
 std::string ranges_of(const StabilityRefusals& refusals) {
     std::vector<std::string> ranges;
     for (const SweptInput& input : refusals.where)
         if (input.high > 0)
-            ranges.push_back(fmt::format("{} {}{} … {}", pretty(input.name), input.negative ? "± " : "",
-                                         short_number(input.low), short_number(input.high)));
-    ranges.push_back(fmt::format("t {} … {}", short_number(refusals.first_t), short_number(refusals.last_t)));
+            ranges.push_back(fmt::format("{} {}{}", pretty(input.name), input.negative ? "± " : "",
+                                         range_of(input.low, input.high)));
+    ranges.push_back("t " + range_of(refusals.first_t, refusals.last_t));
     return fmt::format("{}", fmt::join(ranges, ", "));
 }
 
