@@ -20,7 +20,7 @@ class CppConstants {
 public:
     explicit CppConstants(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
-    std::string print() { return constants() + kept_constants() + start_conditions(); }
+    std::string print() { return constants() + kept_constants() + start_conditions() + noted(); }
 
 private:
     void know_arguments(CppFunction& function);
@@ -28,6 +28,7 @@ private:
     std::string kept_constants() const;
     std::vector<std::string> kept_lines() const;
     std::string start_conditions();
+    std::string noted() const;
 
     const Program& program_;
     CppPlan& plan_;
@@ -153,6 +154,21 @@ std::string CppConstants::start_conditions() {
                            {},
                            {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
            "\n";
+}
+
+// For lies: what other functions read of the constants.
+std::string CppConstants::noted() const {
+    if (plan_.lies == nullptr) return "";
+    std::string text = "    template <class Number> static void note([[maybe_unused]] const "
+                       "Constants<Number>& c) {\n";
+    for (const auto& [value, reader] : plan_.kept) {
+        const auto place = std::lower_bound(plan_.listed.begin(), plan_.listed.end(), value);
+        const bool is_listed = place != plan_.listed.end() && *place == value;
+        text += fmt::format("        note_number(c.{});\n",
+                            is_listed ? fmt::format("{}[{}]", plan_.list_name, place - plan_.listed.begin())
+                                      : plan_.members.at(value));
+    }
+    return text + "    }\n\n";
 }
 
 } // namespace

@@ -67,10 +67,12 @@ template <class Real> SymbolicPoints EmittedJudge<Real>::asked_of(const Points& 
     return points;
 }
 
-template <class Real> Evaluator<Real> EmittedJudge<Real>::emitted_at(const Points& drawn) const {
+template <class Real>
+Evaluator<Real> EmittedJudge<Real>::emitted_at(const Points& drawn, const Program& program,
+                                               const std::shared_ptr<const EvaluatorLibrary>& library) {
     std::vector<Real> start;
-    for (const ProgramInput& input : program_.start) start.push_back(drawn.start_of(input.canonical));
-    return {library_, drawn.eps, default_parameters<Real>(program_, drawn.eps), start, drawn.end};
+    for (const ProgramInput& input : program.start) start.push_back(drawn.start_of(input.canonical));
+    return {library, drawn.eps, default_parameters<Real>(program, drawn.eps), start, drawn.end};
 }
 
 template <class Real> EmittedAnswers<Real> EmittedJudge<Real>::room_for(std::size_t start) const {
@@ -100,10 +102,12 @@ EmittedAnswers<Real> EmittedJudge<Real>::at_once(const Evaluator<Real>& emitted,
 }
 
 template <class Real>
-typename EmittedJudge<Real>::Answers EmittedJudge<Real>::answers_at(std::size_t start) const {
-    const Evaluator<Real> emitted = emitted_at(drawn_[start]);
+typename EmittedJudge<Real>::Answers
+EmittedJudge<Real>::answers_at(std::size_t start, const Program& program,
+                               const std::shared_ptr<const EvaluatorLibrary>& library) const {
+    const Evaluator<Real> emitted = emitted_at(drawn_[start], program, library);
     Answers all{one_by_one(emitted, start)};
-    if (std::is_same_v<Real, double> && !program_.rows.empty()) // from tables
+    if (std::is_same_v<Real, double> && !program.rows.empty()) // from tables
         all.push_back(at_once(emitted, start));
     return all;
 }
@@ -150,9 +154,13 @@ template <class Real> std::size_t EmittedJudge<Real>::further_starts() {
     return starts_.size();
 }
 
-template <class Real> Status EmittedJudge<Real>::status_at_start(std::size_t k) const {
+template <class Real> Status EmittedJudge<Real>::status_of(const Points& drawn) const {
     std::vector<Real> values(program_.outputs.size());
-    return emitted_at(starts_[k].drawn).call(Real(0), values.data());
+    return emitted_at(drawn, program_, library_).call(Real(0), values.data());
+}
+
+template <class Real> Status EmittedJudge<Real>::status_at_start(std::size_t k) const {
+    return status_of(starts_[k].drawn);
 }
 
 template <class Real>

@@ -37,8 +37,15 @@ public:
 
     // Of the code as it is now, at one start: call by call and, in double, all times at once where it has
     // tables for that. May run beside itself.
-    [[nodiscard]] Answers answers_at(std::size_t start) const;
+    [[nodiscard]] Answers answers_at(std::size_t start) const {
+        return answers_at(start, program_, library_);
+    }
+    // Of other code with the same outputs.
+    [[nodiscard]] Answers answers_at(std::size_t start, const Program& program,
+                                     const std::shared_ptr<const EvaluatorLibrary>& library) const;
     [[nodiscard]] Answers answers() const; // at all
+    // The status at t = 0 of such a start.
+    [[nodiscard]] Status status_at(std::size_t start) const { return status_of(drawn_[start]); }
     [[nodiscard]] std::size_t starts() const { return drawn_.size(); }
 
     // These answers against the exact solution. It ends with a difference of more than `enough` ulp.
@@ -47,7 +54,7 @@ public:
     // Further starts, of which only the status at t = 0 is compared. They are drawn, and their exact statuses
     // found, when their number is asked for.
     [[nodiscard]] std::size_t further_starts();
-    [[nodiscard]] Status status_at_start(std::size_t k) const; // of the code as it is now; likewise
+    [[nodiscard]] Status status_at_start(std::size_t k) const; // of the code as it is now
     // statuses: of some of them, by their numbers.
     [[nodiscard]] EmittedInType judged_starts(const std::vector<std::pair<std::size_t, Status>>& statuses,
                                               double enough = unlimited);
@@ -69,8 +76,10 @@ private:
     };
 
     [[nodiscard]] bool takes(const std::string& canonical) const;
+    [[nodiscard]] Status status_of(const Points& drawn) const;
     [[nodiscard]] SymbolicPoints asked_of(const Points& d) const;
-    [[nodiscard]] Evaluator<Real> emitted_at(const Points& drawn) const;
+    [[nodiscard]] static Evaluator<Real> emitted_at(const Points& drawn, const Program& program,
+                                                    const std::shared_ptr<const EvaluatorLibrary>& library);
     [[nodiscard]] EmittedAnswers<Real> one_by_one(const Evaluator<Real>& emitted, std::size_t start) const;
     [[nodiscard]] EmittedAnswers<Real> at_once(const Evaluator<Real>& emitted, std::size_t start) const;
     [[nodiscard]] EmittedAnswers<Real> room_for(std::size_t start) const;

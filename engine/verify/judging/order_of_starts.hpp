@@ -25,17 +25,16 @@ public:
     // machine.
     template <class Takes, class Ask, class IsEnd>
     bool ends(const Takes& takes, std::size_t at_a_time, const Ask& ask, const IsEnd& is_end) {
-        std::vector<std::size_t> taken; // positions in the order
-        for (std::size_t k = 0; k < order_.size(); ++k)
-            if (takes(order_[k])) taken.push_back(k);
-        std::size_t count = 1;
-        for (std::size_t first = 0; first < taken.size(); first += count) {
-            count = std::min(first == 0 ? 1 : at_a_time, taken.size() - first);
-            std::vector<std::decay_t<decltype(ask(std::size_t(0)))>> answers(count);
-            in_parallel(count, [&](std::size_t k) { answers[k] = ask(order_[taken[first + k]]); });
-            for (std::size_t k = 0; k < count; ++k)
-                if (is_end(order_[taken[first + k]], answers[k])) {
-                    move_forward(taken[first + k]);
+        std::size_t most = 1;
+        for (std::size_t next = 0; next < order_.size(); most = at_a_time) {
+            std::vector<std::size_t> taken; // positions in the order
+            for (; next < order_.size() && taken.size() < most; ++next)
+                if (takes(order_[next])) taken.push_back(next);
+            std::vector<std::decay_t<decltype(ask(std::size_t(0)))>> answers(taken.size());
+            in_parallel(taken.size(), [&](std::size_t k) { answers[k] = ask(order_[taken[k]]); });
+            for (std::size_t k = 0; k < taken.size(); ++k)
+                if (is_end(order_[taken[k]], answers[k])) {
+                    move_forward(taken[k]);
                     return true;
                 }
         }
