@@ -2,6 +2,7 @@
 // Polynomials of a ring written by hand, and how they are to be read.
 #include "emit/display/json.hpp"
 #include "emit/display/latex.hpp"
+#include "emit/display/names_apart.hpp"
 #include "emit/display/page.hpp"
 #include "emit/display/spelling.hpp"
 #include "printed.hpp"
@@ -161,7 +162,7 @@ TEST(LatexNames, ThatWouldPrintAlikeAreSetApart) {
     const auto printed = [](const std::string& left, const std::string& right) {
         Page page{"names", {Section{}}, {}};
         define(page.sections.front(), left, symbol_sum(right));
-        return page_latex(page);
+        return page_latex(with_names_apart(page));
     };
     test::expect_part(printed("x2", "x_2'"), "\n  x_{2} &= \\dot{x}_{(2)}\n");
     test::expect_part(printed("x_2", "x2"), "\n  x_{(2)} &= x_{2}\n");

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace resonform {
 
@@ -156,18 +157,16 @@ std::string CppConstants::start_conditions() {
            "\n";
 }
 
-// For lies: what other functions read of the constants.
+// For lies: all constants but those that are conditions and no more.
 std::string CppConstants::noted() const {
     if (plan_.lies == nullptr) return "";
+    std::set<Value> left_out;
+    for (const CppCondition& condition : plan_.constant_conditions) left_out.insert(condition.value);
+    for (const auto& [value, reader] : plan_.kept) left_out.erase(value);
     std::string text = "    template <class Number> static void note([[maybe_unused]] const "
                        "Constants<Number>& c) {\n";
-    for (const auto& [value, reader] : plan_.kept) {
-        const auto place = std::lower_bound(plan_.listed.begin(), plan_.listed.end(), value);
-        const bool is_listed = place != plan_.listed.end() && *place == value;
-        text += fmt::format("        note_number(c.{});\n",
-                            is_listed ? fmt::format("{}[{}]", plan_.list_name, place - plan_.listed.begin())
-                                      : plan_.members.at(value));
-    }
+    for (const auto& [value, name] : plan_.members)
+        if (!left_out.contains(value)) text += fmt::format("        note_number(c.{});\n", name);
     return text + "    }\n\n";
 }
 

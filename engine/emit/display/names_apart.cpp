@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/display/names_apart.hpp"
 
+#include "emit/display/display.hpp"
 #include "emit/display/latex.hpp"
 
 #include <algorithm>

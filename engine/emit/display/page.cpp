@@ -2,7 +2,6 @@
 #include "emit/display/page.hpp"
 
 #include "emit/display/latex.hpp"
-#include "emit/display/names_apart.hpp"
 #include "emit/display/spelling.hpp"
 
 #include <utility>
@@ -149,8 +148,7 @@ std::string page_text(const Page& page) {
     return text;
 }
 
-std::string page_latex(const Page& plain) {
-    const Page page = with_names_apart(plain);
+std::string page_latex(const Page& page) {
     std::string text = "% " + page.title + "\n% needs \\usepackage{amsmath}\n";
     for (const Section& section : page.sections) {
         if (!section.heading.empty()) text += latex_text(section.heading) + ":\n";

@@ -42,6 +42,6 @@ void define(Section& section, const std::string& name, DisplaySum right);
 void append_sections(Page& page, std::vector<Section> sections);
 
 std::string page_text(const Page& page);  // lines of about 100 columns, broken between groups
-std::string page_latex(const Page& page); // for amsmath: align* per section; names apart
+std::string page_latex(const Page& page); // a fragment for amsmath: align* per section
 
 } // namespace resonform
