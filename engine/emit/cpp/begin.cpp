@@ -25,7 +25,6 @@ public:
 private:
     [[nodiscard]] std::string arguments() const;
     [[nodiscard]] std::string conditions() const;
-    [[nodiscard]] std::string noted() const;
 
     const Program& program_;
     const CppPlan& plan_;
@@ -69,21 +68,10 @@ std::string CppBegin::conditions() const {
     return plan_.conditions_apart ? std::string(frames::start_holds) + text : text;
 }
 
-// For lies: no tables where constants are noted; both precisions of them, if phases are taken from the other.
-std::string CppBegin::noted() const {
-    if (plan_.lies == nullptr) return "";
-    std::string text = "        if (lie_notes) {\n        note(c);\n";
-    if (!program_.phases.empty())
-        text +=
-            "        Constants<Wide> wide;\n" + cpp_constants_call(plan_, "wide") + "        note(wide);\n";
-    return text + "        return {Status::no_memory, \"\"};\n        }\n";
-}
-
 std::string CppBegin::print() const {
     return "    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,\n"
            "                       const Start& start, Constants<Real>& c) {\n" +
-           arguments() + cpp_constants_call(plan_, "c") + conditions() + noted() +
-           "        return {};\n    }\n\n";
+           arguments() + cpp_constants_call(plan_, "c") + conditions() + "        return {};\n    }\n\n";
 }
 
 } // namespace

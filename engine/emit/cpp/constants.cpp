@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 namespace resonform {
 
@@ -21,7 +20,7 @@ class CppConstants {
 public:
     explicit CppConstants(CppPlan& plan) : program_(*plan.program), plan_(plan) {}
 
-    std::string print() { return constants() + kept_constants() + start_conditions() + noted(); }
+    std::string print() { return constants() + kept_constants() + start_conditions(); }
 
 private:
     void know_arguments(CppFunction& function);
@@ -29,7 +28,6 @@ private:
     std::string kept_constants() const;
     std::vector<std::string> kept_lines() const;
     std::string start_conditions();
-    std::string noted() const;
 
     const Program& program_;
     CppPlan& plan_;
@@ -155,19 +153,6 @@ std::string CppConstants::start_conditions() {
                            {},
                            {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
            "\n";
-}
-
-// For lies: all constants but those that are conditions and no more.
-std::string CppConstants::noted() const {
-    if (plan_.lies == nullptr) return "";
-    std::set<Value> left_out;
-    for (const CppCondition& condition : plan_.constant_conditions) left_out.insert(condition.value);
-    for (const auto& [value, reader] : plan_.kept) left_out.erase(value);
-    std::string text = "    template <class Number> static void note([[maybe_unused]] const "
-                       "Constants<Number>& c) {\n";
-    for (const auto& [value, name] : plan_.members)
-        if (!left_out.contains(value)) text += fmt::format("        note_number(c.{});\n", name);
-    return text + "    }\n\n";
 }
 
 } // namespace

@@ -42,8 +42,6 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
 // With lies, the coefficients of the class are planted there, and
 //   unsigned char* rf_lies();                       for each place, from 1, what is told there
-//   void rf_note(int on);                           whether constructors note constants, and no more
-//   unsigned long long rf_noted();                  what they noted, of one thread
 //   (frames/lies.txt)
 std::string emit_library(const Program& program, std::string_view types, CppLies* lies = nullptr);
 

@@ -154,13 +154,9 @@ template <class Real> std::size_t EmittedJudge<Real>::further_starts() {
     return starts_.size();
 }
 
-template <class Real> Status EmittedJudge<Real>::status_of(const Points& drawn) const {
-    std::vector<Real> values(program_.outputs.size());
-    return emitted_at(drawn, program_, library_).call(Real(0), values.data());
-}
-
 template <class Real> Status EmittedJudge<Real>::status_at_start(std::size_t k) const {
-    return status_of(starts_[k].drawn);
+    std::vector<Real> values(program_.outputs.size());
+    return emitted_at(starts_[k].drawn, program_, library_).call(Real(0), values.data());
 }
 
 template <class Real>

@@ -44,8 +44,6 @@ public:
     [[nodiscard]] Answers answers_at(std::size_t start, const Program& program,
                                      const std::shared_ptr<const EvaluatorLibrary>& library) const;
     [[nodiscard]] Answers answers() const; // at all
-    // The status at t = 0 of such a start.
-    [[nodiscard]] Status status_at(std::size_t start) const { return status_of(drawn_[start]); }
     [[nodiscard]] std::size_t starts() const { return drawn_.size(); }
 
     // These answers against the exact solution. It ends with a difference of more than `enough` ulp.
@@ -76,7 +74,6 @@ private:
     };
 
     [[nodiscard]] bool takes(const std::string& canonical) const;
-    [[nodiscard]] Status status_of(const Points& drawn) const;
     [[nodiscard]] SymbolicPoints asked_of(const Points& d) const;
     [[nodiscard]] static Evaluator<Real> emitted_at(const Points& drawn, const Program& program,
                                                     const std::shared_ptr<const EvaluatorLibrary>& library);

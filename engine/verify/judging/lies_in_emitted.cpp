@@ -46,8 +46,6 @@ public:
           library_(EvaluatorLibrary::build(program_, options.cache, options.progress, "d", &planted_)),
           symbolic_(std::make_shared<const SymbolicSolution>(solution, scene)), threshold_(scene.verify.ulp),
           told_(reinterpret_cast<unsigned char* (*)()>(library_->object()->symbol("rf_lies"))()),
-          note_(reinterpret_cast<void (*)(int)>(library_->object()->symbol("rf_note"))),
-          noted_(reinterpret_cast<unsigned long long (*)()>(library_->object()->symbol("rf_noted"))),
           check_(program_, library_, symbolic_, scene, solution.flow != nullptr,
                  in_double({options.cache, options.progress, options.emitted_starts})),
           order_(check_.starts()), order_of_further_(check_.further_starts()) {
@@ -67,9 +65,6 @@ public:
     }
 
 private:
-    // The status of a construction that ends where tables begin, and what it leaves to other functions: where
-    // these are the honest ones, so is every answer.
-    using Beginning = std::pair<Status, unsigned long long>;
     using Statuses = std::vector<std::pair<std::size_t, Status>>;
 
     [[nodiscard]] Verdict verdict(const EmittedInType& found) const {
@@ -81,14 +76,11 @@ private:
         EmittedInType all;
         for (std::size_t j = 0; j < check_.starts(); ++j) {
             asked_.push_back(asked_during([&] { honest_.push_back(check_.answers_at(j)); }));
-            beginning_.push_back(beginning([&] { return check_.status_at(j); }));
             honestly_.push_back(check_.judged(honest_.back()));
             all.add(honestly_.back());
         }
-        for (std::size_t k = 0; k < check_.further_starts(); ++k) {
+        for (std::size_t k = 0; k < check_.further_starts(); ++k)
             asked_of_further_.push_back(asked_during([&] { status_.push_back(check_.status_at_start(k)); }));
-            beginning_of_further_.push_back(beginning([&] { return check_.status_at_start(k); }));
-        }
         Statuses statuses;
         for (std::size_t k = 0; k < status_.size(); ++k) statuses.emplace_back(k, status_[k]);
         all.add(check_.judged_starts(statuses));
@@ -105,41 +97,23 @@ private:
         return asked;
     }
 
-    template <class Ask> [[nodiscard]] Beginning beginning(const Ask& status) {
-        note_(1);
-        const Status found = status();
-        note_(0);
-        return {found, noted_()};
-    }
-
-    [[nodiscard]] bool is_in_constants(std::size_t place) const {
-        const std::string& function = places()[place - 1].function;
-        return function == "compute_constants" || function == "start_conditions";
-    }
-
     // Sets the effect: the largest, of a lie that is caught up to where it is.
     [[nodiscard]] bool is_caught_at_points(std::size_t place, Lie& lie) {
         EmittedInType all;
         Judge::Difference effect;
-        std::vector<bool> seen(check_.starts());
-        const auto takes = [&](std::size_t j) {
-            return asked_[j][place] && (!is_in_constants(place) ||
-                                        beginning([&] { return check_.status_at(j); }) != beginning_[j]);
-        };
         const auto is_caught = [&](std::size_t j, const Judge::Answers& answers) {
-            seen[j] = true;
             const EmittedInType found = check_.judged(answers, threshold_);
             all.add(found);
             const Judge::Difference here = check_.difference(answers, honest_[j]);
             if (here.ulp > effect.ulp) effect = here;
             return verdict(found) == Verdict::fail;
         };
-        const bool caught = order_.ends(
-            takes, side_by_side(), [&](std::size_t j) { return check_.answers_at(j); }, is_caught);
+        const bool caught = order_.ends([&](std::size_t j) { return asked_[j][place]; }, side_by_side(),
+                                        [&](std::size_t j) { return check_.answers_at(j); }, is_caught);
         lie.effect_ulp = effect.ulp;
         lie.output = program_.outputs[effect.output].name;
-        for (std::size_t j = 0; j < seen.size(); ++j)
-            if (!seen[j]) all.add(honestly_[j]);
+        for (std::size_t j = 0; j < asked_.size(); ++j)
+            if (!asked_[j][place]) all.add(honestly_[j]);
         return caught || verdict(all) != Verdict::pass;
     }
 
@@ -148,13 +122,9 @@ private:
             return status != status_[k] &&
                    verdict(check_.judged_starts({{k, status}}, threshold_)) == Verdict::fail;
         };
-        const auto takes = [&](std::size_t k) {
-            return asked_of_further_[k][place] &&
-                   (!is_in_constants(place) ||
-                    beginning([&] { return check_.status_at_start(k); }) != beginning_of_further_[k]);
-        };
-        return order_of_further_.ends(
-            takes, starts_at_a_time, [&](std::size_t k) { return check_.status_at_start(k); }, is_caught);
+        return order_of_further_.ends([&](std::size_t k) { return asked_of_further_[k][place]; },
+                                      starts_at_a_time,
+                                      [&](std::size_t k) { return check_.status_at_start(k); }, is_caught);
     }
 
     CppLies planted_;
@@ -163,15 +133,12 @@ private:
     std::shared_ptr<const SymbolicSolution> symbolic_;
     double threshold_;
     unsigned char* told_;
-    void (*note_)(int);
-    unsigned long long (*noted_)();
     Judge check_;
     OrderOfStarts order_, order_of_further_;
     AskedFor asked_, asked_of_further_;
     std::vector<Judge::Answers> honest_; // of each start
     std::vector<EmittedInType> honestly_;
     std::vector<Status> status_; // of each further start
-    std::vector<Beginning> beginning_, beginning_of_further_;
     bool honest_passes_ = false;
 };
 
