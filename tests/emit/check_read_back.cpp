@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// LaTeX and Maxima scripts are read back (read_latex.py, read_back.py, read_solution.py): every equation has
-// the values that the JSON gives it, at a random point.
+// LaTeX and Maxima scripts are read back (read_latex.py, read_back.py, read_equations.py, read_solution.py):
+// every equation has the values that the JSON gives it, at a random point.
 #include "support/command.hpp"
 #include "support/exact.hpp"
 #include "support/system_text.hpp"
@@ -33,6 +33,13 @@ protected:
         write(scratch_.path() / "out.normal_form",
               printed("derive " + path_of(system) + " --order 3 --format json"));
     }
+    // The equations as the file has them, and expanded.
+    void derive_equations(const std::string& path) const {
+        for (const char* stage : {"equations", "expand"})
+            for (const char* format : {"latex", "json"})
+                write(scratch_.path() / (std::string(stage) + "." + format),
+                      printed("derive " + path + " --stage " + stage + " --format " + format));
+    }
     [[nodiscard]] std::string judged(const std::string& option = "",
                                      const std::string& by = "read_back.py") const {
         const auto script = source_dir() / "tests" / "emit" / by;
@@ -46,6 +53,11 @@ class ReadBackOf : public ReadBack, public testing::WithParamInterface<std::stri
 TEST_P(ReadBackOf, HasTheValuesOfTheJson) {
     derive(path_of(GetParam()));
     EXPECT_EQ(judged(), "equal\n");
+}
+
+TEST_P(ReadBackOf, EquationsToo) {
+    derive_equations(path_of(GetParam()));
+    EXPECT_EQ(judged("", "read_equations.py"), "equal\n");
 }
 
 TEST_P(ReadBackOf, ASolutionToo) {
@@ -103,6 +115,22 @@ TEST_F(ReadBack, FunctionsAndNamesThatMaximaOwns) {
     EXPECT_EQ(judged(), "equal\n");
 }
 
+// Of names that LaTeX would print alike.
+TEST_F(ReadBack, NamesThatAreSetApart) {
+    write(scratch_.path() / "apart/system.toml",
+          system_text("apart",
+                      {{"q", "fast", "q'' + x2^2*q + x_2*q^3 + eps*k_a_1*q' + k_a1*q^2 = 0"},
+                       {"rate", "drift", "rate' = eps*x_2/x2*q + eps*k_a1*q"}},
+                      "[parameters]\nx2 = { positive = true }\nx_2 = {}\nk_a1 = {}\n"
+                      "k_a_1 = {}\n"));
+    derive_equations("apart/system.toml");
+    EXPECT_NE(read(scratch_.path() / "equations.latex").find("x_{2}^{2} q + x_{(2)} q^{3}"),
+              std::string::npos);
+    EXPECT_EQ(judged("", "read_equations.py"), "equal\n");
+    derive("apart/system.toml", {"latex", "json"});
+    EXPECT_EQ(judged(), "equal\n");
+}
+
 TEST_F(ReadBack, DecimalNumbers) {
     derive(path_of("transition_state") + " --digits 20 --set k=7000000 b=1/3", {"latex", "json"});
     EXPECT_NE(read(scratch_.path() / "out.latex").find("\\cdot 10^{-"), std::string::npos);
@@ -122,6 +150,16 @@ TEST_F(ReadBack, NamesTheEquationThatIsWrong) {
     ASSERT_NE(latex.find(rate), std::string::npos) << latex;
     write(file, latex.replace(latex.find(rate), rate.size(), "\\dot{s} &= \\varepsilon"));
     EXPECT_EQ(judged(), "LaTeX, rates: \\dot{s} = \\varepsilon\n");
+}
+
+TEST_F(ReadBack, NamesTheExpandedEquationThatIsWrong) {
+    derive_equations(path_of("airy"));
+    const auto file = scratch_.path() / "expand.latex";
+    std::string latex = read(file);
+    const std::size_t sum = latex.find("+ \\tau x");
+    ASSERT_NE(sum, std::string::npos) << latex;
+    write(file, latex.replace(sum, 1, "-"));
+    EXPECT_EQ(judged("", "read_equations.py"), "LaTeX, expanded: \\ddot{x} - \\tau x = 0\n");
 }
 
 TEST_F(ReadBack, NamesTheOutputThatIsWrong) {

@@ -2,6 +2,8 @@
 // Polynomials of a ring written by hand, and how they are to be read.
 #include "emit/display/json.hpp"
 #include "emit/display/latex.hpp"
+#include "emit/display/names_apart.hpp"
+#include "emit/display/page.hpp"
 #include "emit/display/spelling.hpp"
 #include "printed.hpp"
 
@@ -153,6 +155,21 @@ TEST(LatexNames, GreekSubscriptsAndDots) {
     EXPECT_EQ(latex_name("omega12_max"), "\\omega_{12,\\mathrm{max}}");
     EXPECT_EQ(latex_name("eps"), "\\varepsilon");
     EXPECT_EQ(latex_text("a_b % {c}"), "a\\_b \\% \\{c\\}");
+}
+
+// On one page; x_2 alone is x_{2}.
+TEST(LatexNames, ThatWouldPrintAlikeAreSetApart) {
+    const auto printed = [](const std::string& left, const std::string& right) {
+        Page page{"names", {Section{}}, {}};
+        define(page.sections.front(), left, symbol_sum(right));
+        return page_latex(with_names_apart(page));
+    };
+    test::expect_part(printed("x2", "x_2'"), "\n  x_{2} &= \\dot{x}_{(2)}\n");
+    test::expect_part(printed("x_2", "x2"), "\n  x_{(2)} &= x_{2}\n");
+    test::expect_part(printed("x_2", "x"), "\n  x_{2} &= x\n");
+    test::expect_part(printed("w_12_max", "w12_max"),
+                      "\n  w_{(12),(\\mathrm{max})} &= w_{12,\\mathrm{max}}\n");
+    test::expect_part(printed("x_", "x"), "\n  x_{()} &= x\n");
 }
 
 } // namespace

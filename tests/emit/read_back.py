@@ -18,8 +18,17 @@ ELEMENTARY = {name: getattr(mpmath, name) for name in
               "sin cos tan exp log sqrt sinh cosh tanh asin acos atan asinh acosh atanh erf re im conj".split()}
 
 
+APART = set()  # names beside others that LaTeX would print alike
+
+
 def key(name):
-    return name.replace("_", "").replace("'", "_dot")
+    return name.replace("_", "_sub_" if name.rstrip("'") in APART else "").replace("'", "_dot")
+
+
+def set_names_apart(document):
+    names = sorted(set(re.findall(r"[A-Za-z]\w*", document)), key=lambda name: name.count("_"))
+    APART.update(name for at, name in enumerate(names)
+                 if name.replace("_", "") in (other.replace("_", "") for other in names[:at]))
 
 
 def notation(expression):
@@ -220,6 +229,7 @@ def at_a_point(faults_at):
 
 def faults(latex, maxima, document):
     """The equations and statements that differ."""
+    set_names_apart(document)
     answer = Answer(json.loads(document))
     page = Page(latex, answer)
 

@@ -4,7 +4,8 @@
 #   -\frac{i \sqrt{g}}{16 \left(r^{2} + \xi^{2}\right)^{1/4}} z_{1}^{2}
 #   -(I*(g)**(1/2))/(16*(r**2+xi**2)**(1/4))*z1**2
 #
-# Names lose their underscores, which LaTeX does not show (x_2 and x2 are both x_{2}); a dot is "_dot".
+# Names lose their underscores, which LaTeX does not show: x_2 is x_{2}, as x2 is. Beside that it is x_{(2)}, which is
+# read as "x_sub_2". A dot is "_dot".
 import re
 
 FUNCTIONS = {"sin": "sin", "cos": "cos", "tan": "tan", "exp": "exp", "ln": "log", "sinh": "sinh", "cosh": "cosh",
@@ -168,12 +169,20 @@ class Reader:
         if self.next == "_":
             self.take()
             self.take("{")
-            name += self.word()
+            name += self.subscript()
             while self.next == ",":
                 self.take()
-                name += self.word()
+                name += self.subscript()
             self.take("}")
         return name + dots
+
+    def subscript(self):
+        if self.next != "(":
+            return self.word()
+        self.take()
+        name = "_sub_" + self.subscript()
+        self.take(")")
+        return name
 
     def word(self):
         token = self.take()

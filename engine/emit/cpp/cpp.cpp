@@ -137,8 +137,9 @@ std::string emit_cpp(const Program& program, const CppOptions& options) {
 // Several are loaded at run time, and what has the same name in two orders of a scene would be shared.
 std::string emit_library(const Program& program, std::string_view types, CppLies* lies) {
     const bool tabulated = program.has_tables();
+    const std::string code = body(program, {}, true, lies); // plants the lies
     return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + includes(program, {}) +
-           std::string(lies == nullptr ? "" : frames::lies) + body(program, {}, true, lies) +
+           (lies == nullptr ? "" : lies->told() + std::string(frames::lies)) + code +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator", types);
 }
 

@@ -34,4 +34,8 @@ void CppLies::end_function(const std::string& name) {
     for (; named_ < places_.size(); ++named_) places_[named_].function = name;
 }
 
+std::string CppLies::told() const {
+    return fmt::format("static unsigned char lie_kinds[{}] = {{}};\n\n", places_.size() + 1);
+}
+
 } // namespace resonform

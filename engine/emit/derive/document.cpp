@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "emit/derive/derive.hpp"
 #include "emit/display/json.hpp"
+#include "emit/display/names_apart.hpp"
 #include "emit/display/page.hpp"
 #include "model/mechanics/derivation.hpp"
 #include "model/text/diagnostic.hpp"
@@ -45,7 +46,7 @@ void require_order(int order, int largest, const char* of) {
 }
 
 std::string render(const Page& page, Format format) {
-    return format == Format::latex ? page_latex(page) : page_text(page);
+    return format == Format::latex ? page_latex(with_names_apart(page)) : page_text(page);
 }
 
 // Adds the definition of T to a page that uses it.

@@ -30,6 +30,7 @@ bool is_greek(const std::string& word) {
 std::string latex_word(const std::string& word) {
     if (word == "eps") return "\\varepsilon";
     if (is_greek(word)) return "\\" + word;
+    if (!word.empty() && word.front() == '(') return "(" + latex_word(word.substr(1, word.size() - 2)) + ")";
     const bool number =
         std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isdigit(c); });
     return word.size() <= 1 || number ? word : "\\mathrm{" + word + "}";
@@ -41,7 +42,7 @@ std::vector<std::string> words_of(const std::string& name) {
     for (char c : name) {
         const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
         const bool after_letter =
-            !words.back().empty() && std::isdigit(static_cast<unsigned char>(words.back().back())) == 0;
+            !words.back().empty() && std::isalpha(static_cast<unsigned char>(words.back().back())) != 0;
         if (c == '_' || (digit && after_letter)) words.emplace_back();
         if (c != '_') words.back() += c;
     }
@@ -202,6 +203,14 @@ std::string latex_name(const std::string& name, int primes) {
         subscript += latex_word(words[i]);
     }
     return text + "_{" + subscript + "}";
+}
+
+std::string with_bracketed_subscript(const std::string& name) {
+    const std::vector<std::string> words = words_of(name);
+    if (words.size() == 1) return words.front() + "_()"; // of x_ beside x
+    std::string text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) text += "_(" + words[i] + ")";
+    return text;
 }
 
 std::string latex_text(const std::string& text) {

@@ -16,6 +16,9 @@ std::string latex(const DisplayFactor& factor);
 // "xi'" -> \dot{\xi}; "lambda1" -> \lambda_{1}; "C_delta" -> C_{\delta}; "gain" -> \mathrm{gain}.
 std::string latex_name(const std::string& name, int primes = 0);
 
+// "x_2" -> "x_(2)", the name of x_{(2)}; again: "x_((2))".
+std::string with_bracketed_subscript(const std::string& name);
+
 // Plain text with the characters special to TeX escaped.
 std::string latex_text(const std::string& text);
 

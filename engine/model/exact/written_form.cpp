@@ -2,9 +2,11 @@
 #include "model/exact/written_form.hpp"
 
 #include "algebra/number/number.hpp"
+#include "model/text/eps_powers.hpp"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace resonform {
@@ -89,13 +91,19 @@ private:
             if (exponent != 0)
                 factors.push_back(exponent == 1 ? text : text + "^" + std::to_string(exponent));
         };
+        const auto push_generator = [&](const ExactForm::Generator& g, int exponent) {
+            const auto eps = exponent == 0 ? std::nullopt : spell_eps_power(g.symbol, exponent);
+            if (eps) // of a root of eps
+                factors.push_back(*eps);
+            else
+                push(base(g, exponent), exponent);
+        };
         if (const numeric size = GiNaC::abs(term.number); size != 1)
             factors.push_back(to_string(cln::the<cln::cl_RA>(size.to_cl_N())));
         push("pi", term.pi);
         for (int kind = static_cast<int>(Kind::eps); kind >= 0; --kind)
             for (std::size_t k = 0; k < ranked_.size(); ++k)
-                if (static_cast<int>(at(k).kind) == kind)
-                    push(base(at(k), term.exponents[k]), term.exponents[k]);
+                if (static_cast<int>(at(k).kind) == kind) push_generator(at(k), term.exponents[k]);
         std::string text;
         for (const std::string& f : factors) text += (text.empty() ? "" : "*") + f;
         return text.empty() ? "1" : text;

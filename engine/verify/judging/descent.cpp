@@ -178,13 +178,16 @@ Descent::Measured Descent::measured(const PlannedRung& plan) const {
     Measured found;
     found.times = crowded_times(plan.at.interval, Trial::resolving_points(*plan.steps), plan.rate, plan.from);
     found.reference = trial_.reference(plan.at, found.times.all);
-    found.deviation = deviation(trial_, plan.at, found.reference);
+    const auto known = roundings_.find(plan.at.eps);
+    found.deviation = deviation(trial_, plan.at, found.reference,
+                                known == roundings_.end() ? std::vector<double>{} : known->second);
     if (plan.defect) found.defect = defect_of(trial_, *plan.defect, plan.rate);
     return found;
 }
 
 void Descent::add(const PlannedRung& plan, const Measured& found) {
     const auto& [times, reference, deviation, defect] = found;
+    roundings_[plan.at.eps] = deviation.rounding;
     result_.conditions.layer_end = plan.from;
     note(times, plan.at.interval - plan.from, plan.rate);
     const auto behind = std::upper_bound(times.all.begin(), times.all.end(), plan.layer);

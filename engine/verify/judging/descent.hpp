@@ -7,7 +7,9 @@
 #include "verify/judging/verification.hpp"
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -36,6 +38,11 @@ public:
 
     // Both.
     void along(const std::vector<Rational>& ladder) { measure(planned(ladder)); }
+    // The rounding of long double on each rung, as found. That of a formula in which a coefficient is another
+    // one is the same: told before its rungs are measured, it is not sought again.
+    using Roundings = std::map<Rational, std::vector<double>>; // by eps: of each output
+    [[nodiscard]] const Roundings& roundings() const { return roundings_; }
+    void know(Roundings roundings) { roundings_ = std::move(roundings); }
     // A default ladder that has not settled goes on.
     void further();
 
@@ -52,6 +59,7 @@ private:
     const Scene& scene_;
     const GradedField& field_;
     Verification& result_;
+    Roundings roundings_;
     bool growing_ = false, follows_growth_ = false;
     std::size_t steps_of_last_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace resonform {
 
@@ -75,7 +76,8 @@ double largest_of(const std::vector<double>& error) {
 }
 
 // The rounding of long double: its distance from Float128 at some points.
-std::vector<double> long_double_floor(const Trial& trial, const TrialPoint& at, const Reference& reference) {
+std::vector<double> rounding_of_long_double(const Trial& trial, const TrialPoint& at,
+                                            const Reference& reference) {
     const std::size_t points = reference.times.size(),
                       step = std::max<std::size_t>(1, points / long_double_samples);
     const Evaluator<long double> coarse = trial.evaluator<long double>(at);
@@ -95,9 +97,12 @@ std::vector<double> long_double_floor(const Trial& trial, const TrialPoint& at, 
 
 } // namespace
 
-Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference) {
+Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference,
+                    std::vector<double> rounding) {
     Deviation result;
-    result.floor = long_double_floor(trial, at, reference);
+    if (rounding.empty()) rounding = rounding_of_long_double(trial, at, reference);
+    result.rounding = std::move(rounding);
+    result.floor = result.rounding;
     result.digits = RealTraits<long double>::digits;
     deviate<long double>(trial, at, reference, result);
     bool clear = true;

@@ -13,12 +13,15 @@ struct Deviation {
     std::vector<std::vector<double>> error; // [output][point]; infinite where the evaluator refuses
     int digits = 0;                         // of the arithmetic used
     std::vector<double> floor;              // its rounding, per output
+    std::vector<double> rounding;           // that of long double
     Status refused = Status::ok;            // the first refusal
     std::string refusal;                    // the same with its cause and time
 };
 
-// Long double where its rounding is a hundred times below the largest errors, otherwise Float128.
-Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference);
+// Long double where its rounding is a hundred times below the largest errors, otherwise Float128. rounding:
+// that of long double, where it is known; to find it takes longer than all the rest.
+Deviation deviation(const Trial& trial, const TrialPoint& at, const Reference& reference,
+                    std::vector<double> rounding = {});
 
 // The largest |error|, peaks between even points refined by the parabola through their neighbours. `even`:
 // the indices of points that are evenly spread.

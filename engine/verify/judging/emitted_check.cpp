@@ -2,6 +2,7 @@
 #include "verify/judging/emitted_check.hpp"
 
 #include "verify/judging/emitted_judge.hpp"
+#include "verify/run/parallel.hpp"
 #include "verify/symbolic/ulp.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,8 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace resonform {
 
@@ -20,7 +23,11 @@ EmittedInType in_type(const Program& program, const std::shared_ptr<const Evalua
                       const std::shared_ptr<const SymbolicSolution>& symbolic, const Scene& scene,
                       bool is_flow, const EmittedCheckOptions& options) {
     EmittedJudge<Real> judge(program, library, symbolic, scene, is_flow, options);
-    return judge.judged(judge.answers());
+    EmittedInType result = judge.judged(judge.answers());
+    std::vector<std::pair<std::size_t, Status>> statuses(judge.further_starts());
+    in_parallel(statuses.size(), [&](std::size_t k) { statuses[k] = {k, judge.status_at_start(k)}; });
+    result.add(judge.judged_starts(statuses));
+    return result;
 }
 
 std::string place_of(const EmittedInType& type) {

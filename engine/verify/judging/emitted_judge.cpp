@@ -67,10 +67,12 @@ template <class Real> SymbolicPoints EmittedJudge<Real>::asked_of(const Points& 
     return points;
 }
 
-template <class Real> Evaluator<Real> EmittedJudge<Real>::emitted_at(const Points& drawn) const {
+template <class Real>
+Evaluator<Real> EmittedJudge<Real>::emitted_at(const Points& drawn, const Program& program,
+                                               const std::shared_ptr<const EvaluatorLibrary>& library) {
     std::vector<Real> start;
-    for (const ProgramInput& input : program_.start) start.push_back(drawn.start_of(input.canonical));
-    return {library_, drawn.eps, default_parameters<Real>(program_, drawn.eps), start, drawn.end};
+    for (const ProgramInput& input : program.start) start.push_back(drawn.start_of(input.canonical));
+    return {library, drawn.eps, default_parameters<Real>(program, drawn.eps), start, drawn.end};
 }
 
 template <class Real> EmittedAnswers<Real> EmittedJudge<Real>::room_for(std::size_t start) const {
@@ -99,37 +101,73 @@ EmittedAnswers<Real> EmittedJudge<Real>::at_once(const Evaluator<Real>& emitted,
     return answers;
 }
 
-template <class Real> typename EmittedJudge<Real>::Answers EmittedJudge<Real>::answers() const {
-    Answers all;
-    for (std::size_t j = 0; j < drawn_.size(); ++j) {
-        const Evaluator<Real> emitted = emitted_at(drawn_[j]);
-        all.push_back(one_by_one(emitted, j));
-        if (std::is_same_v<Real, double> && !program_.rows.empty()) // from tables
-            all.push_back(at_once(emitted, j));
-    }
+template <class Real>
+typename EmittedJudge<Real>::Answers
+EmittedJudge<Real>::answers_at(std::size_t start, const Program& program,
+                               const std::shared_ptr<const EvaluatorLibrary>& library) const {
+    const Evaluator<Real> emitted = emitted_at(drawn_[start], program, library);
+    Answers all{one_by_one(emitted, start)};
+    if (std::is_same_v<Real, double> && !program.rows.empty()) // from tables
+        all.push_back(at_once(emitted, start));
     return all;
 }
 
-template <class Real> EmittedInType EmittedJudge<Real>::judged(const Answers& answers, double enough) {
+template <class Real> typename EmittedJudge<Real>::Answers EmittedJudge<Real>::answers() const {
+    Answers all;
+    for (std::size_t j = 0; j < drawn_.size(); ++j)
+        for (EmittedAnswers<Real>& answers : answers_at(j)) all.push_back(std::move(answers));
+    return all;
+}
+
+template <class Real> void EmittedJudge<Real>::begin() {
     result_ = {};
     result_.type = type_name<Real>;
-    const auto is_enough = [&] { return result_.has_seen() && !(result_.ulp <= enough); };
-    for (std::size_t j = 0; j < answers.size() && !is_enough(); ++j) {
+}
+
+template <class Real> EmittedInType EmittedJudge<Real>::end() {
+    if (!result_.has_seen()) result_.ulp = std::numeric_limits<double>::quiet_NaN();
+    return result_;
+}
+
+template <class Real> EmittedInType EmittedJudge<Real>::judged(const Answers& answers, double enough) {
+    begin();
+    for (std::size_t j = 0; j < answers.size() && !has_seen_more_than(enough); ++j) {
         const std::size_t compared = compare(answers[j], enough);
         if (j > 0 && answers[j].start == answers[j - 1].start) continue; // the same points again
         result_.points += answers[j].statuses.size();
         result_.compared += compared;
     }
-    if (is_enough()) return result_;
-    draw_starts();
-    std::vector<Status> at_start(starts_.size());
-    in_parallel(starts_.size(), [&](std::size_t j) {
-        std::vector<Real> values(program_.outputs.size());
-        at_start[j] = emitted_at(starts_[j].drawn).call(Real(0), values.data());
+    return end();
+}
+
+template <class Real> std::size_t EmittedJudge<Real>::further_starts() {
+    if (!starts_.empty()) return starts_.size();
+    for (Points& d :
+         emitted_points<Real>(scene_, starts_only<Real> * options_.starts, 0, options_.seed + 1)) {
+        d.end *= Real(shortened);
+        const SymbolicPoints asked = asked_of(d);
+        starts_.push_back({d, asked, Status::ok});
+    }
+    in_parallel(starts_.size(), [&](std::size_t k) {
+        starts_[k].exact = symbolic_->start().at(starts_[k].asked.inputs).status;
     });
-    for (std::size_t j = 0; j < starts_.size() && !is_enough(); ++j) compare_start(starts_[j], at_start[j]);
-    if (!result_.has_seen()) result_.ulp = std::numeric_limits<double>::quiet_NaN();
-    return result_;
+    return starts_.size();
+}
+
+template <class Real> Status EmittedJudge<Real>::status_at_start(std::size_t k) const {
+    std::vector<Real> values(program_.outputs.size());
+    return emitted_at(starts_[k].drawn, program_, library_).call(Real(0), values.data());
+}
+
+template <class Real>
+EmittedInType EmittedJudge<Real>::judged_starts(const std::vector<std::pair<std::size_t, Status>>& statuses,
+                                                double enough) {
+    begin();
+    for (const auto& [k, status] : statuses) {
+        if (has_seen_more_than(enough)) break;
+        compare_start(starts_[k], status);
+    }
+    return end();
 }
 
 template <class Real>
@@ -147,23 +185,10 @@ typename EmittedJudge<Real>::Difference EmittedJudge<Real>::difference(const Ans
             if (exact.status != Status::ok || a[j].status(i) != Status::ok || b[j].status(i) != Status::ok)
                 continue;
             for (std::size_t k = 0; k < a[j].values.size(); ++k)
-                see(in_ulp<Real>(a[j].values[k][i], Wide(b[j].values[k][i]), exact.scales[k]), k);
+                if (a[j].values[k][i] != b[j].values[k][i])
+                    see(in_ulp<Real>(a[j].values[k][i], Wide(b[j].values[k][i]), exact.scales[k]), k);
         }
     return most;
-}
-
-// The starts are drawn, and their exact statuses found, when they are first asked for.
-template <class Real> void EmittedJudge<Real>::draw_starts() {
-    if (!starts_.empty()) return;
-    for (Points& d :
-         emitted_points<Real>(scene_, starts_only<Real> * options_.starts, 0, options_.seed + 1)) {
-        d.end *= Real(shortened);
-        const SymbolicPoints asked = asked_of(d);
-        starts_.push_back({d, asked, Status::ok});
-    }
-    in_parallel(starts_.size(), [&](std::size_t j) {
-        starts_[j].exact = symbolic_->start().at(starts_[j].asked.inputs).status;
-    });
 }
 
 // Whether the map leads back to its start is asked at t = 0 only, and few starts fail: of many, the
@@ -185,7 +210,7 @@ std::size_t EmittedJudge<Real>::compare(const EmittedAnswers<Real>& answers, dou
     std::unique_ptr<SymbolicEvaluator> beside; // for times beside those asked for
     std::size_t compared = 0;
     for (std::size_t i = 0; i < drawn.times.size(); ++i) {
-        if (result_.has_seen() && !(result_.ulp <= enough)) break;
+        if (has_seen_more_than(enough)) break;
         const Real t = drawn.times[i];
         const Status status = answers.status(i);
         if (!agree(status, exact[i].status)) {

@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -27,18 +28,34 @@ template <class Real> struct EmittedAnswers {
 template <class Real> class EmittedJudge {
 public:
     using Answers = std::vector<EmittedAnswers<Real>>;
+    static constexpr double unlimited = std::numeric_limits<double>::infinity();
 
     // Computes the exact values; all must outlive it. Precondition: as check_emitted.
     EmittedJudge(const Program& program, std::shared_ptr<const EvaluatorLibrary> library,
                  std::shared_ptr<const SymbolicSolution> symbolic, const Scene& scene, bool is_flow,
                  const EmittedCheckOptions& options);
 
-    // Of the code as it is now: call by call and, in double, all times at once where it has tables for that.
-    [[nodiscard]] Answers answers() const;
-    // These answers against the exact solution, then statuses at the start, where the code is asked again. It
-    // ends with a difference of more than `enough` ulp.
-    [[nodiscard]] EmittedInType judged(const Answers& answers,
-                                       double enough = std::numeric_limits<double>::infinity());
+    // Of the code as it is now, at one start: call by call and, in double, all times at once where it has
+    // tables for that. May run beside itself.
+    [[nodiscard]] Answers answers_at(std::size_t start) const {
+        return answers_at(start, program_, library_);
+    }
+    // Of other code with the same outputs.
+    [[nodiscard]] Answers answers_at(std::size_t start, const Program& program,
+                                     const std::shared_ptr<const EvaluatorLibrary>& library) const;
+    [[nodiscard]] Answers answers() const; // at all
+    [[nodiscard]] std::size_t starts() const { return drawn_.size(); }
+
+    // These answers against the exact solution. It ends with a difference of more than `enough` ulp.
+    [[nodiscard]] EmittedInType judged(const Answers& answers, double enough = unlimited);
+
+    // Further starts, of which only the status at t = 0 is compared. They are drawn, and their exact statuses
+    // found, when their number is asked for.
+    [[nodiscard]] std::size_t further_starts();
+    [[nodiscard]] Status status_at_start(std::size_t k) const; // of the code as it is now
+    // statuses: of some of them, by their numbers.
+    [[nodiscard]] EmittedInType judged_starts(const std::vector<std::pair<std::size_t, Status>>& statuses,
+                                              double enough = unlimited);
 
     // The largest difference between answers, in ulp of the output's scale, where both are numbers; infinite
     // where only one is, unless that is low_precision.
@@ -58,12 +75,17 @@ private:
 
     [[nodiscard]] bool takes(const std::string& canonical) const;
     [[nodiscard]] SymbolicPoints asked_of(const Points& d) const;
-    [[nodiscard]] Evaluator<Real> emitted_at(const Points& drawn) const;
-    void draw_starts();
+    [[nodiscard]] static Evaluator<Real> emitted_at(const Points& drawn, const Program& program,
+                                                    const std::shared_ptr<const EvaluatorLibrary>& library);
     [[nodiscard]] EmittedAnswers<Real> one_by_one(const Evaluator<Real>& emitted, std::size_t start) const;
     [[nodiscard]] EmittedAnswers<Real> at_once(const Evaluator<Real>& emitted, std::size_t start) const;
     [[nodiscard]] EmittedAnswers<Real> room_for(std::size_t start) const;
 
+    void begin();
+    [[nodiscard]] bool has_seen_more_than(double ulp) const {
+        return result_.has_seen() && !(result_.ulp <= ulp);
+    }
+    [[nodiscard]] EmittedInType end();
     [[nodiscard]] std::size_t compare(const EmittedAnswers<Real>& answers, double enough);
     void compare_start(const Start& start, Status emitted);
     [[nodiscard]] bool at_edge(Status status, const SymbolicPoint& exact, const SymbolicPoints& asked, Real t,

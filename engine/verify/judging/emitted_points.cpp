@@ -68,6 +68,17 @@ std::vector<Real> multiplied(const Scene& scene, const std::vector<Real>& starts
 
 } // namespace
 
+void EmittedInType::add(EmittedInType further) {
+    further.points += points;
+    further.compared += compared;
+    if (further.has_seen() && (!has_seen() || further.ulp > ulp)) {
+        *this = std::move(further);
+        return;
+    }
+    points = further.points;
+    compared = further.compared;
+}
+
 EmittedCheckOptions in_double(EmittedCheckOptions options) {
     options.times *= 10; // a start costs more than its times
     return options;

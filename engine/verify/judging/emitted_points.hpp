@@ -58,6 +58,8 @@ struct EmittedInType {
 
     // Numbers were compared, or statuses that disagree.
     [[nodiscard]] bool has_seen() const { return !at.empty(); }
+    // What was found at further points.
+    void add(EmittedInType further);
 };
 
 } // namespace resonform

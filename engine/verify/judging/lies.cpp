@@ -12,14 +12,8 @@
 
 namespace resonform {
 
-namespace {
-
-constexpr double clear_of_threshold = 2; // an effect of twice the threshold is to be caught
-
-} // namespace
-
 bool Lies::is_below(const Lie& lie) const {
-    return lie.caught_by.empty() && lie.effect_ulp <= clear_of_threshold * threshold;
+    return lie.caught_by.empty() && lie.effect_ulp <= clear_of_threshold();
 }
 
 std::size_t Lies::survivors() const {

@@ -20,7 +20,8 @@ struct Lie {
     std::string output;  // that with the largest effect; "": nothing was computed
     std::string where;   // "map, mode 0, weight 3, term 2"; "outputs: Real(3) / Real(8)"
     std::string planted; // "sign": the other one; "2^-20": times 1 + 2^-20
-    double effect_ulp = std::numeric_limits<double>::quiet_NaN(); // the largest found; NaN: none was computed
+    double effect_ulp =
+        std::numeric_limits<double>::quiet_NaN(); // the largest found, up to where it is caught; NaN: none
     std::string caught_by = {}; // "certificate", "ladder", "emitted = exact"; "": by nothing
 };
 
@@ -30,7 +31,9 @@ struct Lies {
     // The code fails its check even before a lie is planted, so that being caught proves nothing.
     bool honest_fails = false;
 
-    // What is caught by nothing is below the threshold, or a survivor: its effect is more than twice that.
+    // An effect of more is to be caught: twice the threshold.
+    [[nodiscard]] double clear_of_threshold() const { return 2 * threshold; }
+    // What is caught by nothing is below that, or a survivor.
     [[nodiscard]] bool is_below(const Lie& lie) const;
     [[nodiscard]] bool survives(const Lie& lie) const { return lie.caught_by.empty() && !is_below(lie); }
     [[nodiscard]] std::size_t survivors() const;

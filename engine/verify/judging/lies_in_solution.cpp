@@ -4,7 +4,9 @@
 #include "verify/judging/descent.hpp"
 #include "verify/judging/emitted_judge.hpp"
 #include "verify/judging/lies.hpp"
+#include "verify/judging/order_of_starts.hpp"
 #include "verify/judging/trial.hpp"
+#include "verify/run/parallel.hpp"
 
 #include <fmt/format.h>
 
@@ -127,7 +129,7 @@ public:
 
     void learn(const Solution& honest) {
         Verification result;
-        honest_ = descended(honest, result, [](const Verdicts&) { return false; });
+        honest_ = descended(honest, result, roundings_, [](const Verdicts&) { return false; });
         for (const OutputVerdict& output : result.outputs)
             if (output.expected == Verdict::pass && output.claimed_order > scene_.order)
                 judged_.insert(output.name);
@@ -139,7 +141,9 @@ public:
     // honestly does.
     [[nodiscard]] bool catches(const Solution& lie) const {
         Verification result;
-        const Verdicts found = descended(lie, result, [&](const Verdicts& so_far) { return fails(so_far); });
+        Descent::Roundings roundings = roundings_;
+        const auto so_far = [&](const Verdicts& found) { return fails(found); };
+        const Verdicts found = descended(lie, result, roundings, so_far);
         if (fails(found)) return true;
         for (std::size_t k = 0; k < found.back().size(); ++k)
             if (found.back()[k] != Verdict::pass && honest_.back()[k] == Verdict::pass) return true;
@@ -157,9 +161,11 @@ private:
     }
 
     template <class Enough>
-    Verdicts descended(const Solution& solution, Verification& result, const Enough& enough) const {
+    Verdicts descended(const Solution& solution, Verification& result, Descent::Roundings& roundings,
+                       const Enough& enough) const {
         const Trial trial(system_, scene_, solution, options_);
         Descent descent(trial, scene_, solution, result);
+        descent.know(roundings);
         Verdicts found;
         for (const Rational& eps : scene_.verify.eps) {
             descent.along({eps});
@@ -168,6 +174,7 @@ private:
             for (const OutputVerdict& output : result.outputs) found.back().push_back(output.verdict);
             if (enough(found)) break;
         }
+        roundings = descent.roundings();
         return found;
     }
 
@@ -175,6 +182,7 @@ private:
     const Scene& scene_;
     VerifyOptions options_;
     Verdicts honest_;
+    Descent::Roundings roundings_; // of the honest solution
     std::set<std::string> judged_;
 };
 
@@ -182,40 +190,66 @@ private:
 class EffectOfLies {
 public:
     EffectOfLies(const Scene& scene, const Solution& solution, const VerifyOptions& options)
-        : scene_(scene), options_(options),
-          symbolic_(std::make_shared<const SymbolicSolution>(solution, scene)), honest_(solution, *this),
-          answers_(honest_.judge.answers()) {}
+        : scene_(scene), honest_(solution, scene),
+          judge_(*honest_.program, honest_.library, std::make_shared<const SymbolicSolution>(solution, scene),
+                 scene, solution.flow != nullptr, {options.cache, {}, options.emitted_starts}),
+          order_(judge_.starts()) {
+        for (std::size_t j = 0; j < judge_.starts(); ++j) answers_.push_back(judge_.answers_at(j));
+    }
 
-    void measure(const Solution& solution, Lie& lie) const {
-        const Interpreted lying(solution, *this);
-        const auto effect = honest_.judge.difference(lying.judge.answers(), answers_);
-        lie.effect_ulp = effect.ulp;
-        lie.output = honest_.program->outputs[effect.output].name;
+    // The largest; of one that is more than `enough`, up to where it is.
+    void measure(const Solution& solution, Lie& lie, double enough) {
+        const Interpreted lying(solution, scene_);
+        Judge::Difference most;
+        const auto is_enough = [&](std::size_t j, const Judge::Answers& answers) {
+            const Judge::Difference here = judge_.difference(answers, answers_[j]);
+            if (here.ulp > most.ulp) most = here;
+            return most.ulp > enough;
+        };
+        order_.ends([](std::size_t) { return true; }, side_by_side(),
+                    [&](std::size_t j) { return judge_.answers_at(j, *lying.program, lying.library); },
+                    is_enough);
+        lie.effect_ulp = most.ulp;
+        lie.output = honest_.program->outputs[most.output].name;
     }
 
 private:
+    using Judge = EmittedJudge<double>;
     struct Interpreted {
-        Interpreted(const Solution& solution, const EffectOfLies& of)
-            : program(
-                  std::make_shared<const Program>(build_program(solution, of.scene_, {true, false, false}))),
-              judge(*program, EvaluatorLibrary::interpreted(program), of.symbolic_, of.scene_,
-                    solution.flow != nullptr, {of.options_.cache, {}, of.options_.emitted_starts}) {}
+        Interpreted(const Solution& solution, const Scene& scene)
+            : program(std::make_shared<const Program>(build_program(solution, scene, {true, false, false}))),
+              library(EvaluatorLibrary::interpreted(program)) {}
         std::shared_ptr<const Program> program;
-        EmittedJudge<double> judge;
+        std::shared_ptr<const EvaluatorLibrary> library;
     };
 
     const Scene& scene_;
-    const VerifyOptions& options_;
-    std::shared_ptr<const SymbolicSolution> symbolic_;
     Interpreted honest_;
-    EmittedJudge<double>::Answers answers_;
+    Judge judge_;
+    OrderOfStarts order_;
+    std::vector<Judge::Answers> answers_; // of each start
 };
+
+// Sets the effect, and whether the ladder sees it.
+void try_lie(const Solution& lying, EffectOfLies& effect, const LadderOfLies& ladder, double enough,
+             Lie& lie) {
+    try {
+        effect.measure(lying, lie, enough);
+        const bool is_clear = lie.effect_ulp > enough;
+        if (is_clear && ladder.catches(lying))
+            lie.caught_by = "ladder";
+        else if (is_clear)
+            effect.measure(lying, lie, EmittedJudge<double>::unlimited);
+    } catch (const Error&) { // there is no start, or no program: verify would end with it
+        lie.caught_by = "ladder";
+    }
+}
 
 } // namespace
 
 void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, const Scene& scene,
                       const Solution& solution, const VerifyOptions& options, Lies& lies) {
-    const EffectOfLies effect(scene, solution, options);
+    EffectOfLies effect(scene, solution, options);
     LadderOfLies ladder(system, scene, options);
     ladder.learn(solution);
     const PlacesInSolution places(solution, ladder.judged());
@@ -224,14 +258,8 @@ void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, con
         for (std::size_t term = 0; term < place.truth.size(); ++term) {
             const std::optional<Polynomial> p = with_lie(ring, place.truth, term);
             if (!p) continue;
-            const Solution lying = with(solution, place, *p);
             Lie lie{"", fmt::format("{}, term {}", place.name, term + 1), "sign"};
-            try {
-                effect.measure(lying, lie);
-                if (!lies.is_below(lie) && ladder.catches(lying)) lie.caught_by = "ladder";
-            } catch (const Error&) { // there is no start, or no program: verify would end with it
-                lie.caught_by = "ladder";
-            }
+            try_lie(with(solution, place, *p), effect, ladder, lies.clear_of_threshold(), lie);
             lies.all.push_back(std::move(lie));
         }
 }

@@ -25,6 +25,30 @@ std::string what_figures_show(const Stability& s) {
                        fmt::join(statuses, ", "));
 }
 
+std::string range_of(double low, double high) {
+    return low == high ? short_number(low) : short_number(low) + " … " + short_number(high);
+}
+
+// "a 1.00·10⁻¹² … 3, b 1, t 0 … 1.00·10⁵"
+std::string ranges_of(const StabilityRefusals& refusals) {
+    std::vector<std::string> ranges;
+    for (const SweptInput& input : refusals.where)
+        if (input.high > 0)
+            ranges.push_back(fmt::format("{} {}{}", pretty(input.name), input.negative ? "± " : "",
+                                         range_of(input.low, input.high)));
+    ranges.push_back("t " + range_of(refusals.first_t, refusals.last_t));
+    return fmt::format("{}", fmt::join(ranges, ", "));
+}
+
+// By status and cause, with the ranges of the inputs there.
+Table refusals_table(const std::vector<StabilityRefusals>& all) {
+    Table table{"Refusals", {"status", "cause", "points", "without an explanation", "at"}, {}};
+    for (const StabilityRefusals& r : all)
+        table.rows.push_back({r.status, r.why.empty() ? "–" : typeset(r.why), fmt::format("{}", r.count),
+                              fmt::format("{}", r.unexplained), ranges_of(r)});
+    return table;
+}
+
 } // namespace
 
 Section stability_section(const Findings& f, const Figures& figures) {
@@ -46,7 +70,7 @@ Section stability_section(const Findings& f, const Figures& figures) {
                               (input.negative ? "± " : "") + short_number(input.low) + unit,
                               short_number(input.high) + unit});
     }
-    return {
+    Section section{
         "Stability of the emitted code",
         {Paragraph{fmt::format(
              "Verdict: {}{}. Double against 50 digits at {} points over many decades of every input; {} were "
@@ -59,6 +83,8 @@ Section stability_section(const Findings& f, const Figures& figures) {
              f.stability.cases, f.stability.refused, f.stability.unexplained, 100 * unexplained_share,
              f.stability.beyond_reference, f.stability.threshold)},
          Paragraph{what_figures_show(f.stability)}, figures.stability(f.stability), swept, median, worst}};
+    if (!f.stability.refusals.empty()) section.blocks.emplace_back(refusals_table(f.stability.refusals));
+    return section;
 }
 
 } // namespace resonform::report
