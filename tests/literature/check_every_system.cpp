@@ -133,7 +133,7 @@ std::map<std::string, Rational> values_of(const System& system) {
     return values;
 }
 
-// The same, and slow variables at 5/4, or as often doubled as [domain] wants.
+// The same, and slow variables at 5/4, or as often doubled, or halved, as [domain] wants.
 std::map<std::string, double> point_of(const System& system) {
     std::map<std::string, double> point;
     GiNaC::exmap at;
@@ -147,12 +147,14 @@ std::map<std::string, double> point_of(const System& system) {
         const GiNaC::ex value = d.value.subs(at).evalf();
         return !GiNaC::is_a<GiNaC::numeric>(value) || value > 0;
     };
-    double slow = 1.25;
-    do {
-        for (const Variable& v : system.variables)
-            if (v.role == Role::slow) put(v.name, v.jet[0], slow);
-        slow *= 2;
-    } while (slow < 1000 && !std::all_of(system.positive.begin(), system.positive.end(), holds));
+    double up = 1.25, down = up;
+    for (bool inside = false; !inside && up < 1000; up *= 2, down /= 2)
+        for (const double slow : {up, down}) {
+            for (const Variable& v : system.variables)
+                if (v.role == Role::slow) put(v.name, v.jet[0], slow);
+            inside = std::all_of(system.positive.begin(), system.positive.end(), holds);
+            if (inside) break;
+        }
     return point;
 }
 

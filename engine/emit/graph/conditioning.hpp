@@ -14,16 +14,6 @@ namespace resonform {
 // The signs of a node for all values of its symbols, given nodes known to be positive.
 SignSet signs_of(const Graph& graph, Graph::Node n, const std::set<Graph::Node>& positive);
 
-// A sum of two terms that is a difference of squares, factored; other nodes as they are. Of 4 w^2 - b^2
-// nothing but the rounding of squares is left where b is close to 2 w:
-//   4 w^2 - b^2   ->   (2 w - b) (2 w + b)
-Graph::Node factored_difference(Graph& graph, Graph::Node sum);
-
-// A sum with multiples of sums multiplied out, so that the constants in it meet first: of a slow variable
-// that starts close to a, a - s_0 is exact, a - (T + s_0) holds the rounding of s.
-//   a - (T + s_0)   ->   a - T - s_0
-Graph::Node multiplied_out(Graph& graph, Graph::Node sum);
-
 // log(argument), argument in the ring of `lowering`. For argument = A + R, R a square root and
 // D = R^2 - A^2 > 0 constant, it is asinh(A/sqrt(D)) + log(sqrt(D)): A + R loses all digits where A -> -R,
 //   log((xi + sqrt(xi^2 + r^2))/r)   ->   asinh(xi/r)

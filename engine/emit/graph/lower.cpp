@@ -4,7 +4,7 @@
 #include "emit/display/display.hpp"
 #include "emit/display/divisor_fractions.hpp"
 #include "emit/display/spelling.hpp"
-#include "emit/graph/conditioning.hpp"
+#include "emit/graph/differences.hpp"
 
 #include <algorithm>
 #include <numeric>

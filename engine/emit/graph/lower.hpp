@@ -48,7 +48,7 @@ public:
     Graph::Node fractions(const std::vector<Fraction>& list);
     // The same without looking for common root powers: for radicands, while roots are not yet defined. What a
     // sum is formed from may be far larger than it: constants meet first, and differences of squares are
-    // factored (conditioning.hpp).
+    // factored (differences.hpp).
     Graph::Node radicand(const Polynomial& p);
     // A divisor, or the radicand of a root. Where it is A + R, R a square root times something, A and R of
     // proved opposite sign, it becomes (A^2 - R^2)/(A - R), whose numerator cancels exactly and whose

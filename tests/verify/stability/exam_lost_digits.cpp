@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of an output that loses digits is found and named: in graphs of which that is known.
 #include "algebra/ring/ring.hpp"
-#include "emit/graph/conditioning.hpp"
+#include "emit/graph/differences.hpp"
 #include "emit/graph/lower.hpp"
 #include "verify/own_system.hpp"
 #include "verify/stability/lost_digits.hpp"
@@ -219,6 +219,9 @@ TEST(LostDigits, ConstantsOfARadicandMeetFirst) {
               graph.add({a, graph.negate(T), graph.negate(s)}));
     const Graph::Node product = graph.add({a, graph.multiply({T, moved})});
     EXPECT_EQ(multiplied_out(graph, product), product) << "only multiples";
+    const Graph::Node moves = graph.add({graph.power(T, 2), graph.power(s, 2)});
+    const Graph::Node shared = graph.add({a, graph.negate(moves)});
+    EXPECT_EQ(multiplied_out(graph, shared), shared) << "no constant is in it";
     const Graph::Node whole = graph.difference(graph.add({T, graph.negate(s)}));
     const Graph::Node kept = graph.add({a, graph.negate(whole)});
     EXPECT_EQ(multiplied_out(graph, kept), kept) << "it is to stay one term";
