@@ -30,7 +30,7 @@ public:
     void know(StraightLine::Value v, const std::string& text) { texts_[v] = {text, Level::atom}; }
     // The same, with a name like this one, which is returned.
     std::string know_as(StraightLine::Value v, const std::string& wish) {
-        const std::string name = names_.unique(wish);
+        std::string name = names_.unique(wish);
         know(v, name);
         return name;
     }
