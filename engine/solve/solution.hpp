@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solution of a normal form. With one small oscillator (or none) and slow variables of explicit law it is
 //
-//   xi = xi_0 + eps v t (or one that relaxes),  w = Delta e^{i theta},  Delta = eps C E(xi) (1 + eps^2 B_2(xi) + ...)   (21)
+//   xi = xi_0 + eps v t,  w = Delta e^{i theta},  Delta = eps C E(xi) (1 + eps^2 B_2(xi) + ...)   (21)
 //   theta = theta_0 + int_0^t (omega(xi) + eps^2 Theta_2(xi) + ...) dt
 //   z_X = C_X + closed primitives + quadratures from xi_0
 //   psi, x, y = the map with all this put in, by powers of eps through N                    (22), (23)
@@ -9,8 +9,9 @@
 // Everything is a Polynomial of the solution ring: the ring of the normal form without its modes,
 // roots refined (sigma -> s^(1/8)), plus the constants of the solution, e^{i theta}, and primitives.
 //
-// With several oscillators, finite ones, slow variables of other laws, or angles it is the slow flow
-// (solve/flow/slow_flow.hpp), in the ring of the normal form.
+// A slow variable may relax instead (solve/slow_law.hpp). With several oscillators, finite ones, slow
+// variables of other laws, or angles it is the slow flow (solve/flow/slow_flow.hpp), in the ring of the
+// normal form.
 #pragma once
 
 #include "normalize/recursion/normal_form.hpp"

@@ -58,8 +58,8 @@ std::string to_text(const Lies& lies) {
     for (const LiesOfKind& row : rows_of(lies))
         text += fmt::format("    {:<26} {:>8} {:>12} {:>7} {:>16} {:>6} {:>10}\n", row.name, row.planted,
                             row.certificate, row.ladder, row.emitted, row.below, row.survivors);
-    text += fmt::format("  below: of no more than {:g} ulp, the largest of {:.3g}\n", lies.clear_of_threshold(),
-                        largest_below(lies));
+    text += fmt::format("  below: of no more than {:g} ulp, the largest of {:.3g}\n",
+                        lies.clear_of_threshold(), largest_below(lies));
     if (lies.honest_fails)
         text += "  the code in which the lies were planted fails without any: nothing follows from them\n";
     for (const Lie& lie : lies.all) {
