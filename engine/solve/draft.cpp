@@ -98,7 +98,7 @@ void Draft::add_constants(RingBuilder& builder) {
     };
     solution.eps = builder.id(field.ring->generator(field.eps).name);
     if (std::all_of(field.slow.begin(), field.slow.end(),
-                    [&](const SlowVariable& slow) { return !explicit_law(field, slow)->decline.empty(); }))
+                    [&](const SlowVariable& slow) { return explicit_law(field, slow)->relaxes(); }))
         solution.slow_time = add(GeneratorKind::slow, "T");
     for (const Mode& mode : field.modes) {
         const std::string& variable = system.variables[mode.variable].name;

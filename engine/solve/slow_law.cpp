@@ -41,7 +41,7 @@ std::optional<SlowPath> slow_path(const Ring& ring, GeneratorId xi, const Polyno
     if (!is_constant(ring, b) || !is_constant(ring, at_eps_one(ring, path.drive))) return std::nullopt;
     // A sum of several powers of eps may vanish at one eps.
     const bool nonzero = path.decline.size() == 1 && ring.inverse(b) && !has_divisor(ring, b);
-    if (!path.decline.empty() && !nonzero) return std::nullopt;
+    if (path.relaxes() && !nonzero) return std::nullopt;
     return path;
 }
 

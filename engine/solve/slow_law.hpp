@@ -15,13 +15,14 @@ namespace resonform {
 // (over a power of eps) the ring has its inverse.
 struct SlowPath {
     Polynomial drive, decline;
+    [[nodiscard]] bool relaxes() const { return !decline.empty(); }
 };
 
 // Of this rate of the slow variable xi. nullopt: it is of another kind, or b is not proved to be nonzero.
 [[nodiscard]] std::optional<SlowPath> slow_path(const Ring& ring, GeneratorId xi, const Polynomial& rate);
 
-// Integrals over e^{-bT} are trusted up to b T = most_relaxations: what is over within a smaller part of an
-// interval may lie between all the places at which it is looked at.
+// An evaluator ends at b T = most_relaxations: a transient that takes a smaller part of the interval could
+// fall between the nodes of a quadrature.
 inline constexpr int most_relaxations = 4096;
 
 } // namespace resonform

@@ -161,9 +161,7 @@ void check_projected(const Solution& solution, const SolveOptions& options) {
 
 bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
     const GradedField& field = *normal_form.field;
-    const auto relaxes = [&](const SlowVariable& slow) {
-        return !explicit_law(field, slow)->decline.empty();
-    };
+    const auto relaxes = [&](const SlowVariable& slow) { return explicit_law(field, slow)->relaxes(); };
     return solves_by_quadratures(field) && !field.system().has_opaque_functions() &&
            (time_scale < 2 || (amplitude_is_constant(normal_form) &&
                                std::none_of(field.slow.begin(), field.slow.end(), relaxes)));

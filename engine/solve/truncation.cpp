@@ -65,7 +65,7 @@ TruncationCount count_truncation(const GradedField& field, const Scene& scene) {
     const int p = scene.time_scale.value_or(root);
     const std::string least = root == 1 ? "eps" : spell_eps_power(field.system().weight(1));
     for (const SlowVariable& slow : field.slow)
-        if (const auto law = explicit_law(field, slow); p >= 2 && law && law->decline.empty())
+        if (const auto law = explicit_law(field, slow); p >= 2 && law && !law->relaxes())
             refuse(
                 Reason::too_fast,
                 {fmt::format("on a time scale beyond 1/{} the slow variables stay in a compact set", least),

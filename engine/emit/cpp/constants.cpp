@@ -52,10 +52,10 @@ void CppConstants::know_arguments(CppFunction& function) {
 std::string CppConstants::differences() const {
     std::string text;
     const std::map<Graph::Node, std::string> inputs = plan_.input_names();
-    for (const Value v : plan_.code.doubled()) {
+    for (const auto& [v, symbols] : plan_.code.doubled()) {
         CppFunction function(plan_.code, "Number", "q", plan_.lies);
         std::vector<std::pair<std::string, std::string>> parameters;
-        for (const Value symbol : plan_.code.sources(v)) {
+        for (const Value symbol : symbols) {
             const std::string& wish = inputs.at(plan_.code.at(symbol).symbol);
             parameters.emplace_back("const Number&", function.know_as(symbol, wish));
         }

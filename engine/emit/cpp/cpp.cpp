@@ -139,7 +139,7 @@ std::string emit_library(const Program& program, std::string_view types, CppLies
     const bool tabulated = program.has_tables();
     const std::string code = body(program, {}, true, lies); // plants the lies
     return banner(program) + (tabulated ? std::string(frames::library_loops) : "") + includes(program, {}) +
-           (lies == nullptr ? "" : lies->told() + std::string(frames::lies)) + code +
+           (lies == nullptr ? "" : lies->declaration() + std::string(frames::lies)) + code +
            cpp_c_interface(program, cpp_namespace(program.system, program.scene) + "::Evaluator", types);
 }
 

@@ -41,7 +41,7 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 //   void  rf_interval_ends(const double* const* arguments, long n, double* t);    by the scene's default
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
 // With lies, the coefficients of the class are planted there, and
-//   unsigned char* rf_lies();                       for each place, from 1, what is told there
+//   unsigned char* rf_lies();                       an entry for each place, from 1: 0, or which lie it is
 //   (frames/lies.txt)
 std::string emit_library(const Program& program, std::string_view types, CppLies* lies = nullptr);
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <set>
 
 namespace resonform {
@@ -82,8 +83,8 @@ std::string names_of(const Parameters& parameters) {
 } // namespace
 
 std::string cpp_difference_name(const StraightLine& code, Value doubled) {
-    const std::vector<Value>& all = code.doubled();
-    return fmt::format("difference_{}", std::find(all.begin(), all.end(), doubled) - all.begin() + 1);
+    return fmt::format("difference_{}",
+                       std::distance(code.doubled().begin(), code.doubled().find(doubled)) + 1);
 }
 
 void CppFunction::compute(const std::vector<Value>& roots, bool through_constants) {

@@ -34,7 +34,7 @@ void CppLies::end_function(const std::string& name) {
     for (; named_ < places_.size(); ++named_) places_[named_].function = name;
 }
 
-std::string CppLies::told() const {
+std::string CppLies::declaration() const {
     return fmt::format("static unsigned char lie_kinds[{}] = {{}};\n\n", places_.size() + 1);
 }
 

@@ -25,8 +25,8 @@ public:
     void end_function(const std::string& name);
 
     [[nodiscard]] const std::vector<Place>& places() const { return places_; }
-    // The array that says what is told at each of them.
-    [[nodiscard]] std::string told() const;
+    // Declares the array lie_kinds, which has an entry for each of them (frames/lies.txt).
+    [[nodiscard]] std::string declaration() const;
 
 private:
     std::vector<Place> places_;

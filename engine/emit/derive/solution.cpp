@@ -164,7 +164,7 @@ DisplayTerm over_time(const Ring& ring, const Polynomial& p) {
 
 // begin + eps*a*t, or begin*exp(-eps*b*t) + a/b*(1 - exp(-eps*b*t))
 DisplaySum path(const Ring& ring, DisplaySum begin, const SlowPath& law) {
-    if (law.decline.empty()) {
+    if (!law.relaxes()) {
         begin.terms.push_back(over_time(ring, law.drive));
         return begin;
     }

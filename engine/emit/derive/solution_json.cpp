@@ -31,7 +31,7 @@ public:
             list.push_back({{"variable", name(law.variable)},
                             {"start", name(law.variable) + "_0"},
                             {"rate", json_expression(ring_, law.path.drive)}});
-            if (!law.path.decline.empty()) list.back()["decline"] = json_expression(ring_, law.path.decline);
+            if (law.path.relaxes()) list.back()["decline"] = json_expression(ring_, law.path.decline);
         }
         return list;
     }

@@ -103,7 +103,7 @@ void ProgramBuilder::define_slow_variables() {
         const Variable& variable = solution_.system().variables[law.variable];
         const Graph::Node begin = input(variable.name + "_0", variable.name + " at t = 0", variable.name);
         const Graph::Node drive = lowering.radicand(law.path.drive);
-        const bool relaxes = !law.path.decline.empty();
+        const bool relaxes = law.path.relaxes();
         const Graph::Node value =
             value_on_path(variable.name, begin, drive, relaxes ? lowering.radicand(law.path.decline) : -1);
         slow_starts_[law.generator] = begin;

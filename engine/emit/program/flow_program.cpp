@@ -133,7 +133,7 @@ void FlowProgram::define_slow(std::size_t k) {
             return per_slow_time(at_start.lowering, real_(p).re, 0);
         };
         value = value_on_path(variable.name, start_.slow[k], constant(path->drive),
-                              path->decline.empty() ? -1 : constant(path->decline));
+                              path->relaxes() ? constant(path->decline) : -1);
     } else {
         value = program_.graph.symbol("flow " + slow.name);
         program_.flow.push_back({identifier(slow.name), start_.slow[k], -1, value});

@@ -61,7 +61,7 @@ StraightLine::Value StraightLine::lower(Graph::Node n) {
         i.op = Op::doubled;
         i.operands = {lower(e.operands.front())};
         value = append(std::move(i));
-        doubled_.push_back(value);
+        doubled_.emplace(value, symbols_behind(value));
         break;
     case Graph::Op::root:
         i.op = Op::root;
@@ -212,9 +212,8 @@ StraightLine::Value StraightLine::chain(Value base, int exponent) {
     return product({half, half});
 }
 
-template <class Operands>
 std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& roots, bool through_constants,
-                                                      const Operands& operands) const {
+                                                      Operands operands) const {
     std::vector<bool> used(size(), false);
     for (const Value root : roots) used[static_cast<std::size_t>(root)] = true;
     std::vector<Value> result;
@@ -222,7 +221,7 @@ std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& 
         if (!used[v - 1]) continue;
         result.push_back(static_cast<Value>(v - 1));
         if (!instructions_[v - 1].varying && !through_constants) continue;
-        for (const Value operand : operands(static_cast<Value>(v - 1)))
+        for (const Value operand : (this->*operands)(static_cast<Value>(v - 1)))
             used[static_cast<std::size_t>(operand)] = true;
     }
     std::reverse(result.begin(), result.end());
@@ -231,18 +230,20 @@ std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& 
 
 std::vector<StraightLine::Value> StraightLine::behind(const std::vector<Value>& roots,
                                                       bool through_constants) const {
-    return behind(roots, through_constants,
-                  [this](Value v) -> const std::vector<Value>& { return at(v).operands; });
+    return behind(roots, through_constants, &StraightLine::operands);
 }
 
 std::vector<StraightLine::Value> StraightLine::behind_doubled(const std::vector<Value>& roots,
                                                               bool through_constants) const {
-    return behind(roots, through_constants, [this](Value v) { return sources(v); });
+    return behind(roots, through_constants, &StraightLine::sources);
 }
 
-std::vector<StraightLine::Value> StraightLine::sources(Value v) const {
-    if (at(v).op != Op::doubled) return at(v).operands;
-    std::vector<Value> symbols = behind(at(v).operands, true);
+const std::vector<StraightLine::Value>& StraightLine::sources(Value v) const {
+    return at(v).op == Op::doubled ? doubled_.at(v) : at(v).operands;
+}
+
+std::vector<StraightLine::Value> StraightLine::symbols_behind(Value v) const {
+    std::vector<Value> symbols = behind({v}, true);
     std::erase_if(symbols, [this](Value below) { return at(below).op != Op::symbol; });
     return symbols;
 }

@@ -53,9 +53,9 @@ public:
     [[nodiscard]] std::vector<Value> behind_doubled(const std::vector<Value>& roots,
                                                     bool through_constants) const;
     // What a value is computed from; of a doubled one: symbols.
-    [[nodiscard]] std::vector<Value> sources(Value v) const;
-    // The doubled values, in the order in which they were lowered.
-    [[nodiscard]] const std::vector<Value>& doubled() const { return doubled_; }
+    [[nodiscard]] const std::vector<Value>& sources(Value v) const;
+    // The doubled values in the order in which they were lowered, each with its symbols.
+    [[nodiscard]] const std::map<Value, std::vector<Value>>& doubled() const { return doubled_; }
 
 private:
     struct RootPower { // base^exponent
@@ -69,9 +69,11 @@ private:
     std::vector<Value> root_powers(std::vector<Graph::Node>& factors);
     [[nodiscard]] RootPower root_power(Graph::Node n) const;
     void gather_constants(std::vector<Value>& plus, std::vector<Value>& minus);
-    template <class Operands>
+    using Operands = const std::vector<Value>& (StraightLine::*)(Value) const;
     [[nodiscard]] std::vector<Value> behind(const std::vector<Value>& roots, bool through_constants,
-                                            const Operands& operands) const;
+                                            Operands operands) const;
+    [[nodiscard]] const std::vector<Value>& operands(Value v) const { return at(v).operands; }
+    [[nodiscard]] std::vector<Value> symbols_behind(Value v) const;
     [[nodiscard]] bool any_varying(const std::vector<Value>& operands) const;
 
     Graph graph_;
@@ -80,7 +82,7 @@ private:
     std::map<Graph::Node, Value> lowered_;
     std::map<std::string, Value> index_;
     std::vector<Instruction> instructions_;
-    std::vector<Value> doubled_;
+    std::map<Value, std::vector<Value>> doubled_;
 };
 
 // The operations of one call of the outputs, as emitted.

@@ -4,6 +4,7 @@
 
 #include "algebra/number/binary_parts.hpp"
 #include "emit/graph/graph.hpp"
+#include "emit/program/prune.hpp"
 #include "runtime/math.hpp"
 #include "runtime/scaled.hpp"
 #include "runtime/twice.hpp"
@@ -122,19 +123,14 @@ private:
             return (*this)[n];
         } else {
             GraphWalk<typename Both::Wide> walk(*graph_, numbers_);
-            std::vector<bool> needed(static_cast<std::size_t>(n) + 1, false);
-            needed.back() = true;
-            for (Graph::Node below = n; below >= 0; --below)
-                if (needed[static_cast<std::size_t>(below)])
-                    for (const Graph::Node x : graph_->at(below).operands)
-                        needed[static_cast<std::size_t>(x)] = true;
+            const std::vector<bool> needed = reachable(*graph_, {n});
+            std::vector<Graph::Node> nodes;
             for (Graph::Node below = 0; below <= n; ++below) {
                 if (!needed[static_cast<std::size_t>(below)]) continue;
-                if (graph_->at(below).op == Graph::Op::symbol)
-                    walk.set(below, Both::doubled((*this)[below]));
-                else
-                    walk.compute({below});
+                nodes.push_back(below);
+                if (graph_->at(below).op == Graph::Op::symbol) walk.set(below, Both::doubled((*this)[below]));
             }
+            walk.compute(nodes);
             return Both::rounded(walk[n]);
         }
     }

@@ -71,7 +71,7 @@ private:
         return verdict_of({found}, threshold_);
     }
 
-    // The answers of the honest code, and what it asks for on its way to them.
+    // Records what the honest code answers at each start, and which coefficients it reads on the way.
     void listen() {
         EmittedInType all;
         for (std::size_t j = 0; j < check_.starts(); ++j) {

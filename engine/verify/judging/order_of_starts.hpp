@@ -20,9 +20,9 @@ public:
         std::iota(order_.begin(), order_.end(), std::size_t(0));
     }
 
-    // Whether is_end(j, ask(j)) at a start j with takes(j). They are asked side by side, one at first, then
-    // up to at_a_time, and looked at in their order up to the first end: what is seen is the same on every
-    // machine.
+    // Whether is_end(j, ask(j)) holds at some start j with takes(j). The first start is asked alone, later
+    // ones at_a_time in parallel. Their answers go to is_end in order and only up to the first that ends, so
+    // that the result does not depend on the number of threads.
     template <class Takes, class Ask, class IsEnd>
     bool ends(const Takes& takes, std::size_t at_a_time, const Ask& ask, const IsEnd& is_end) {
         std::size_t most = 1;

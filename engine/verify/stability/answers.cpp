@@ -56,8 +56,7 @@ void StabilityTrial::judge(StabilityAnswer& answer, const std::vector<double>& v
     }
     answer.ulp = from.ulp(answer.t, values);
     answer.units = from.units();
-    answer.conditioning = {std::vector<double>(values.size(), 0.0), std::vector<std::string>(values.size()),
-                           std::vector<double>(values.size(), 0.0)};
+    answer.conditioning = Conditioning(values.size(), 0);
     if (std::any_of(answer.ulp.begin(), answer.ulp.end(), [&](double u) { return !(u <= threshold_); }))
         answer.conditioning = from.conditioning(answer.t);
 }

@@ -120,12 +120,10 @@ const StabilityReference::From::Beside* StabilityReference::From::beside(std::si
 Conditioning StabilityReference::From::conditioning(double t) {
     const SymbolicPoint& here = at(t);
     const std::size_t outputs = reference_.program_.outputs.size();
-    Conditioning none{std::vector<double>(outputs, std::numeric_limits<double>::infinity()),
-                      std::vector<std::string>(outputs), std::vector<double>(outputs, 0.0)};
+    Conditioning none(outputs, std::numeric_limits<double>::infinity());
     for (const Wide& later : times_at_edge<double>(t))
         if (exact_(later).status != here.status) return none;
-    Conditioning all{std::vector<double>(outputs, 0.0), std::vector<std::string>(outputs),
-                     std::vector<double>(outputs, 0.0)};
+    Conditioning all(outputs, 0);
     std::vector<double> most(outputs, 0.0);
     const bool numbers = here.status == Status::ok;
     const std::vector<Wide> theta = numbers ? exact_.phases(Wide(t)) : std::vector<Wide>{};

@@ -22,6 +22,10 @@ struct Conditioning {
     // The same of the slow time eps t alone. It is a product of two inputs, and rounded: e^(-eps t) at
     // eps t = 600 is off by up to 300 ulp of itself.
     std::vector<double> slow_time;
+
+    Conditioning() = default;
+    Conditioning(std::size_t outputs, double of_each)
+        : sum(outputs, of_each), input(outputs), slow_time(outputs, 0.0) {}
 };
 
 class StabilityReference {

@@ -39,6 +39,13 @@ std::optional<LostDigits> lost(const std::shared_ptr<const Program>& program, do
 
 Graph::Node per(Graph& graph, Graph::Node n) { return graph.power(n, -1); }
 
+GeneratorId add_parameter(RingBuilder& builder, const char* name) {
+    Generator g;
+    g.kind = GeneratorKind::parameter;
+    g.name = name;
+    return builder.add(g);
+}
+
 } // namespace
 
 TEST(LostDigits, AreFoundInADifferenceOfNearFrequencies) {
@@ -115,13 +122,7 @@ TEST(LostDigits, AreKeptByFunctionsOfSmallArguments) {
     EXPECT_GT(lost(written, 1e-6, 1)->ulp, 1e10);
     const auto lowered = made([](Graph& graph, Graph::Node a, Graph::Node b) {
         RingBuilder builder;
-        const auto add = [&](const char* name) {
-            Generator g;
-            g.kind = GeneratorKind::parameter;
-            g.name = name;
-            return builder.add(g);
-        };
-        const GeneratorId e = add("e"), x = add("x");
+        const GeneratorId e = add_parameter(builder, "e"), x = add_parameter(builder, "x");
         const RingPtr ring = builder.freeze();
         Lowering lowering(graph, ring);
         lowering.define(e, graph.function(Op::exp, {a}), true);
@@ -169,13 +170,7 @@ TEST(LostDigits, AreKeptByDifferencesOfSquaresUnderRoots) {
     EXPECT_EQ(lost(written, a, b)->expression, "4*a^2 - b^2");
     const auto lowered = made([](Graph& graph, Graph::Node a, Graph::Node b) {
         RingBuilder builder;
-        const auto add = [&](const char* name) {
-            Generator g;
-            g.kind = GeneratorKind::parameter;
-            g.name = name;
-            return builder.add(g);
-        };
-        const GeneratorId x = add("x"), y = add("y");
+        const GeneratorId x = add_parameter(builder, "x"), y = add_parameter(builder, "y");
         const RingPtr ring = builder.freeze();
         Lowering lowering(graph, ring);
         lowering.define(x, a, true);
