@@ -40,18 +40,19 @@ public:
                       clear_beyond_doubt([this](const Pack& x) { return course_.margins(x); }, Pack(0), T);
         Mask open = members, done = members & ~members;
         if (!full_phase || Course::angles == 0) {
-            done = integrate<Pack, 20>(T, open, plain_radians);
+            done = integrate<Pack, nodes>(T, open, plain_radians);
             open = open & ~done;
         }
         // two lanes and products split into halves would be slower than at_end
         if constexpr (Course::angles > 0 && kernel::lanes > 2)
             if (open.any())
-                done = done | integrate<PackPair, final_nodes<Pack>>(PackPair::product(eps_, t_), open,
-                                                                     packed_radians);
+                done = done | integrate<PackPair, nodes>(PackPair::product(eps_, t_), open, packed_radians);
         return done;
     }
 
 private:
+    static constexpr std::size_t nodes = 20; // of a panel
+
     // Of the members that are open, those that 1, 2, 4 or 8 panels resolve.
     template <class Number, std::size_t n> Mask integrate(const Number& end, Mask open, double most) {
         Mask done = open & ~open;
@@ -98,7 +99,7 @@ struct Ensemble {
     static BatchReport run(std::size_t n, const Members& members, const Real* t,
                            const std::array<Real*, Count>& outputs, Status* status) noexcept {
         BatchReport report{Status::ok, 0, n};
-        constexpr std::size_t lanes = kernel::lanes;
+        constexpr std::size_t lanes = kernel::pack_lanes;
         for (std::size_t i = 0; i < n; i += lanes) {
             const std::size_t count = std::min(lanes, n - i);
             std::array<Status, lanes> seen;
@@ -191,14 +192,14 @@ private:
                                    std::size_t count) {
         using Pack = kernel::Pack;
         Gathered<Packed> some;
-        std::array<double, kernel::lanes> eps;
-        std::array<typename Single::Parameters, kernel::lanes> parameters;
-        std::array<typename Single::Start, kernel::lanes> start;
+        std::array<double, kernel::pack_lanes> eps;
+        std::array<typename Single::Parameters, kernel::pack_lanes> parameters;
+        std::array<typename Single::Start, kernel::pack_lanes> start;
         const auto from = [&](std::size_t j) { return i + std::min(j, count - 1); };
         const auto load = [&](const double* array) {
             Pack x;
-            if (count == kernel::lanes) return Pack::load(array + i);
-            for (std::size_t j = 0; j < kernel::lanes; ++j) x.v[j] = array[from(j)];
+            if (count == kernel::pack_lanes) return Pack::load(array + i);
+            for (std::size_t j = 0; j < kernel::pack_lanes; ++j) x.set(j, array[from(j)]);
             return x;
         };
         some.eps = load(members.eps);
@@ -206,13 +207,13 @@ private:
         const Pack T = some.eps * some.t;
         some.fit = moderate(some.eps) & (some.eps > Pack(0)) & (T > Pack(0x1p-60)) & (T < Pack(0x1p24));
         if (!gives_all(members, Single::parameter_arrays) || !gives_all(members, Single::start_arrays))
-            for (std::size_t j = 0; j < kernel::lanes; ++j)
+            for (std::size_t j = 0; j < kernel::pack_lanes; ++j)
                 arguments<Single>(members, from(j), eps[j], parameters[j], start[j]);
         const auto take = [&](const double* array, Pack& field, const auto& fallback) {
             if (array != nullptr)
                 field = load(array);
             else
-                for (std::size_t j = 0; j < kernel::lanes; ++j) field.v[j] = fallback(j);
+                for (std::size_t j = 0; j < kernel::pack_lanes; ++j) field.set(j, fallback(j));
             some.fit = some.fit & moderate(field);
         };
         for (std::size_t k = 0; k < Single::parameter_fields.size(); ++k)
@@ -222,7 +223,7 @@ private:
             take(members.*Single::start_arrays[k], some.start.*Packed::start_fields[k],
                  [&](std::size_t j) { return start[j].*Single::start_fields[k]; });
         if (!some.fit)
-            for (std::size_t j = 0; j < kernel::lanes; ++j)
+            for (std::size_t j = 0; j < kernel::pack_lanes; ++j)
                 if (some.fit[j]) {
                     some.spread(some.fit, j);
                     break;

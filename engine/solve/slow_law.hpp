@@ -21,8 +21,8 @@ struct SlowPath {
 // Of this rate of the slow variable xi. nullopt: it is of another kind, or b is not proved to be nonzero.
 [[nodiscard]] std::optional<SlowPath> slow_path(const Ring& ring, GeneratorId xi, const Polynomial& rate);
 
-// An evaluator ends at b T = most_relaxations: a transient that takes a smaller part of the interval could
-// fall between the nodes of a quadrature.
+// An evaluator ends where an exponential of slow time, e^{-bT} here, has fallen to e^{-most_relaxations}: a
+// transient that takes a smaller part of the interval could fall between the nodes of a quadrature.
 inline constexpr int most_relaxations = 4096;
 
 } // namespace resonform

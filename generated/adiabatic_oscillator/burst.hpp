@@ -266,7 +266,7 @@ private:
         const Number q_1 = theta_dot_0 * theta_dot_0;
         const Number q_2 = Number(4) * q_1;
         const Number q_3 = c.c_13 * tau * q_1;
-        const Number q_4 = hypot(tau, Number(0));
+        const Number q_4 = magnitude(tau);
         return {Number(q_2 - q_3), Number(q_2 + q_3), Number(Number(1) - c.c_14 * (q_4 * q_4))};
     }
 

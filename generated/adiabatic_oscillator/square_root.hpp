@@ -286,7 +286,7 @@ private:
         const Number q_1 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
         const Number q_2 = c.c_14 * s_m1_2 * tau;
-        const Number q_3 = hypot(tau, Number(0));
+        const Number q_3 = magnitude(tau);
         return {Number(q_1 + q_2), Number(q_1 - q_2), Number(Number(1) - c.c_1 * (per_s * per_s * per_s) * (q_3 * q_3))};
     }
 

@@ -235,7 +235,7 @@ private:
         c.c_21 = -Number(7) / Number(8) * c.C_delta * c.c_15;
         c.c_22 = c.C_delta * c.c_2;
         c.c_23 = c.c_12 * c.eps;
-        c.c_24 = hypot(c.C_delta, Number(0));
+        c.c_24 = magnitude(c.C_delta);
         c.c_25 = Number(3) / Number(32) * c.c_2 * (c.c_24 * c.c_24);
     }
 
@@ -317,8 +317,7 @@ private:
         const Number s_m3_2 = s_2 * q_1;
         const Number s_m5_4 = s_2 * s_4 * q_1;
         const Number q_2 = c.c_23 * s_m5_4 * xi;
-        const Number q_3 = c.c_24 * s_m1_8 + Number(1) - c.c_23 * s_m3_2 * hypot(xi, Number(0));
-        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_25 * theta_dot_0), Number(q_3)};
+        return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(Number(1) - c.c_25 * theta_dot_0), Number(c.c_24 * s_m1_8 + Number(1) - c.c_23 * s_m3_2 * magnitude(xi))};
     }
 
     // dQ_x/dT

@@ -178,7 +178,7 @@ private:
         c.c_4 = Number(1) / Number(2);
         c.c_5 = c.c_4 * k_1;
         c.c_6 = c.c_4 * eps;
-        c.c_7 = hypot(C_delta, Number(0));
+        c.c_7 = magnitude(C_delta);
         c.c_8 = Number(5) / Number(12) * eps * c.c_7;
         c.c_9 = Number(3) / Number(64) * (c.c_7 * c.c_7);
         c.c_10 = Number(2) * c.c_2;
@@ -214,7 +214,7 @@ private:
         const Number q_2 = c.c_6 * s_m5_4 * xi;
         const Number q_3 = sqrt(s_4);
         const Number s_m13_8 = s_4 * q_3 * q_1;
-        const Number q_4 = hypot(xi, Number(0));
+        const Number q_4 = magnitude(xi);
         const Number s_m1_4 = s_2 * s_4 * per_s;
         const Number s_m1_8 = s_2 * s_4 * q_3 * per_s;
         const Number s_m3_2 = s_2 * q_1;

@@ -218,7 +218,7 @@ private:
         c.c_14 = -Number(7) / Number(8) * c.C_delta * c.c_11;
         c.c_15 = c.C_delta * c.c_2;
         c.c_16 = c.c_8 * c.eps;
-        c.c_17 = hypot(c.C_delta, Number(0));
+        c.c_17 = magnitude(c.C_delta);
         c.c_18 = Number(5) / Number(12) * c.eps * c.c_17;
         c.c_19 = Number(3) / Number(64) * (c.c_17 * c.c_17);
         c.c_20 = Number(2) * c.c_2;
@@ -332,7 +332,7 @@ private:
         const Number s_m5_4 = s_2 * s_4 * q_1;
         const Number q_2 = c.c_16 * s_m5_4 * xi;
         const Number s_m13_8 = s_4 * s_8 * q_1;
-        const Number q_3 = hypot(xi, Number(0));
+        const Number q_3 = magnitude(xi);
         const Number q_4 = Number(1) - c.c_20 * (c.c_18 * s_m13_8 * q_3 + c.c_19 * theta_dot_0);
         const Number s_m1_8 = s_2 * s_4 * s_8 * per_s;
         const Number s_m3_2 = s_2 * q_1;

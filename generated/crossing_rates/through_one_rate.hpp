@@ -213,11 +213,11 @@ private:
         const Number k_17 = Number(2) + Number(2) * c.s_0;
         c.c_14 = k_17 * k_17 - c.c_3;
         c.c_15 = Number(4) * c.c_5 - c.c_3;
-        const Number k_18 = hypot(c.u_u, c.c_1);
-        const Number k_19 = hypot(c.u_y, c.c_1);
+        const Number k_18 = magnitude(c.u_u);
+        const Number k_19 = magnitude(c.u_y);
         const Number k_20 = hypot(k_18, k_19);
-        const Number k_21 = Number(1) / hypot(c.c_10, c.c_1);
-        const Number k_22 = Number(1) / hypot(c.s_0, c.c_1);
+        const Number k_21 = Number(1) / magnitude(c.c_10);
+        const Number k_22 = Number(1) / magnitude(c.s_0);
         const Number k_23 = k_18 * k_18;
         const Number k_24 = Number(1) / Number(4) * k_21 * k_22 * (k_23 * k_18) + Number(1) / Number(8) * k_18 * (k_19 * k_19);
         const Number k_25 = Number(2) * c.eps * (Number(1) / Number(2) * k_18 * k_19 + c.eps * k_24);

@@ -188,7 +188,7 @@ private:
         c.c_10 = c.eps * c.amplitude_phi;
         c.c_11 = Number(3) / Number(8) * c.amplitude_phi * c.c_3;
         c.c_12 = -Number(1) / Number(192) * k_2 * c.c_9;
-        const Number k_3 = hypot(c.amplitude_phi, Number(0));
+        const Number k_3 = magnitude(c.amplitude_phi);
         c.c_13 = Number(3) / Number(32) * c.c_3 * (k_3 * k_3);
         c.c_14 = Number(9) / Number(64) * c.c_3;
     }

@@ -741,7 +741,7 @@ private:
         const Number s1_m1_2 = s1_2 * per_s1;
         const Number q_3 = s_m1_2 * s1_m1_2 * (-c.c_54 * sin(q_1) * s - c.eps);
         const Number q_4 = hypot(u_x, v_x);
-        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_40 * s * per(hypot(s1, c.c_35)) * (q_4 * q_4))};
+        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_40 * s * per(magnitude(s1)) * (q_4 * q_4))};
     }
 
     // dtheta/dT

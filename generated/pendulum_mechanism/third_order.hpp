@@ -238,7 +238,7 @@ private:
         c.c_21 = -Number(7) / Number(8) * c.C_delta * c.c_15;
         c.c_22 = c.C_delta * c.c_2;
         c.c_23 = c.c_12 * c.eps;
-        c.c_24 = hypot(c.C_delta, Number(0));
+        c.c_24 = magnitude(c.C_delta);
         c.c_25 = Number(5) / Number(12) * c.eps * c.c_24;
         c.c_26 = Number(3) / Number(64) * (c.c_24 * c.c_24);
         c.c_27 = Number(2) * c.c_2;
@@ -354,7 +354,7 @@ private:
         const Number s_m13_8 = s_4 * s_8 * q_1;
         const Number s_m5_4 = s_2 * s_4 * q_1;
         const Number q_2 = c.c_23 * s_m5_4 * xi;
-        const Number q_3 = hypot(xi, Number(0));
+        const Number q_3 = magnitude(xi);
         const Number q_4 = Number(1) - c.c_27 * (c.c_25 * s_m13_8 * q_3 + c.c_26 * theta_dot_0);
         return {Number(s_m1_2 - q_2), Number(s_m1_2 + q_2), Number(q_4), Number(c.c_24 * s_m1_8 + Number(1) - c.c_23 * s_m3_2 * q_3), Number(Number(1) - c.c_28 * s_m3_2 * (q_3 * q_3))};
     }

@@ -193,7 +193,7 @@ private:
         c.c_13 = Number(1) / Number(4) * c.C * c.c_3;
         c.c_14 = Number(2) * c.eps;
         c.c_15 = Number(1) / Number(16);
-        const Number k_3 = hypot(c.C, Number(0));
+        const Number k_3 = magnitude(c.C);
         c.c_16 = k_3 * k_3;
         c.c_17 = Number(2) * c.c_3;
         c.c_18 = c.c_15 * c.c_3;
@@ -484,10 +484,9 @@ private:
         const Number s_m1_2 = s_2 * per_s;
         const Number q_3 = c.c_14 * s_m1_2 * tau;
         const Number s_m3_2 = s_2 * q_1;
-        const Number q_4 = c.c_16 * s_m3_2 * hypot(Number(c.c_15 * tau + c.c_15), Number(0));
-        const Number q_5 = q_4 + c.c_16 * s_m3_2 * hypot(Number(-c.c_7 * tau - c.c_7), Number(0)) + c.c_16 * s_m3_2 * hypot(Number(-c.c_9 * tau - c.c_9), Number(0));
-        const Number q_6 = hypot(tau, Number(0));
-        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_17 * q_5), Number(Number(1) - c.c_18 * (q_1 * per_s) * (q_6 * q_6))};
+        const Number q_4 = c.c_16 * s_m3_2 * magnitude(Number(c.c_15 * tau + c.c_15)) + c.c_16 * s_m3_2 * magnitude(Number(-c.c_7 * tau - c.c_7)) + c.c_16 * s_m3_2 * magnitude(Number(-c.c_9 * tau - c.c_9));
+        const Number q_5 = magnitude(tau);
+        return {Number(q_2 + q_3), Number(q_2 - q_3), Number(Number(1) - c.c_17 * q_4), Number(Number(1) - c.c_18 * (q_1 * per_s) * (q_5 * q_5))};
     }
 
     // dtheta/dT

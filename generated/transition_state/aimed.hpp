@@ -537,7 +537,7 @@ private:
         c.c_18 = Number(7) / Number(30);
         c.c_19 = Number(1) / Number(20) * c.u_y_;
         w.k_104 = hypot(c.u_x, c.v_x);
-        w.k_105 = hypot(c.u_y_, c.u_y);
+        w.k_105 = magnitude(c.u_y_);
         w.k_106 = hypot(w.k_104, w.k_105);
         w.k_107 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
         w.k_108 = w.k_105 * w.k_105;

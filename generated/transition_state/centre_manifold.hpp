@@ -597,7 +597,7 @@ private:
         w.k_101 = c.eps * (w.x_0 * w.k_1 * w.k_93 + w.k_10 * w.k_12 * w.k_97) + w.x_0 * w.k_1 * (-w.k_98 - w.k_99) - w.k_100;
         w.k_102 = c.eps * w.k_101;
         w.k_103 = w.k_1 * w.k_4 + w.k_102;
-        w.k_104 = hypot(w.k_103, c.c_1);
+        w.k_104 = magnitude(w.k_103);
         w.k_105 = w.k_78 + Number(8) / Number(75) * w.k_1 * w.k_7 - w.k_79 - Number(129) / Number(1300) * w.k_1 * w.k_4;
         w.k_106 = -w.k_81 - Number(197) / Number(1300) * w.k_1 * w.k_4 - Number(11) / Number(30) * w.k_1 * w.k_7;
         w.k_107 = w.k_1 * w.k_4 * (-w.k_83 - Number(8) / Number(65) * w.k_1 * w.k_4);
@@ -613,7 +613,7 @@ private:
         w.k_117 = c.eps * (w.x_0 * w.k_1 * w.k_113 + w.k_10 * w.k_12 * w.k_116) + w.x_0 * w.k_1 * (w.k_99 - w.k_98) - w.k_100;
         w.k_118 = c.eps * w.k_117;
         w.k_119 = w.k_1 * w.k_7 + w.k_118;
-        w.k_120 = hypot(w.k_119, c.c_1);
+        w.k_120 = magnitude(w.k_119);
         w.k_121 = hypot(hypot(w.k_77, w.k_104), w.k_120);
         w.k_122 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
         w.k_123 = hypot(Number(-Number(2) / Number(5)), c.c_10);

@@ -605,12 +605,12 @@ private:
         w.k_108 = c.c_6 * w.k_42;
         w.chi_1_dot = Number(1) + w.k_2 * (w.k_107 + w.k_108);
         c.c_8 = w.k_1 * w.chi_1_dot;
-        w.k_109 = hypot(c.u_y, c.c_1);
+        w.k_109 = magnitude(c.u_y);
         w.k_110 = hypot(c.u_x, c.v_x);
         w.k_111 = hypot(Number(-Number(2) / Number(5)), c.c_6);
         w.k_112 = hypot(Number(-Number(13) / Number(120)), Number(Number(11) / Number(120)));
         w.k_113 = w.k_110 * w.k_110;
-        w.k_114 = hypot(c.u_y_, c.c_1);
+        w.k_114 = magnitude(c.u_y_);
         w.k_115 = hypot(Number(Number(7) / Number(20)), Number(-Number(7) / Number(20)));
         w.k_116 = hypot(Number(Number(1) / Number(40)), Number(Number(7) / Number(120)));
         w.k_117 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));

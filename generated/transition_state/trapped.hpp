@@ -592,8 +592,8 @@ private:
         w.k_107 = c.eps * (w.x_0 * w.k_1 * w.k_103 + w.k_11 * w.k_13 * w.k_106) + w.x_0 * w.k_1 * (-w.k_91 - w.k_92) - w.k_69;
         w.k_108 = c.eps * w.k_107;
         w.k_109 = w.k_1 * w.k_5 + w.k_108;
-        w.k_110 = hypot(w.k_109, c.c_1);
-        w.k_111 = hypot(c.u_y_, c.c_1);
+        w.k_110 = magnitude(w.k_109);
+        w.k_111 = magnitude(c.u_y_);
         w.k_112 = hypot(hypot(w.k_95, w.k_110), w.k_111);
         w.k_113 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
         w.k_114 = hypot(Number(-Number(2) / Number(5)), c.c_7);

@@ -178,6 +178,7 @@ private:
         Number c_23{};
         Number c_24{};
         Number c_25{};
+        Number c_26{};
     };
 
     template <class Number> static void compute_constants(
@@ -195,25 +196,26 @@ private:
         c.eps = Number(given_eps);
         c.c_7 = c.eps * c.eps;
         c.c_8 = Number(1) / c.eps;
-        c.c_9 = Number(1) / Number(4) * c.C;
-        c.c_10 = c.c_2 * c.C;
-        c.c_11 = Number(3) / Number(32) * c.C;
-        c.c_12 = c.c_3 * c.C;
-        c.c_13 = Number(5) / Number(128) * c.C;
-        c.c_14 = Number(1) / Number(64) * c.C;
+        c.c_9 = Number(1) / Number(4);
+        c.c_10 = c.c_9 * c.C;
+        c.c_11 = c.c_2 * c.C;
+        c.c_12 = Number(3) / Number(32) * c.C;
+        c.c_13 = c.c_3 * c.C;
+        c.c_14 = Number(5) / Number(128) * c.C;
+        c.c_15 = Number(1) / Number(64) * c.C;
         const Number k_2 = k_1 * c.C;
-        c.c_15 = Number(3) / Number(16) * k_2;
-        c.c_16 = Number(1) / Number(128) * c.C;
-        c.c_17 = c.c_3 * k_2;
-        c.c_18 = c.c_7 * c.eps;
-        c.c_19 = c.eps * c.C;
-        c.c_20 = c.c_3 * k_2 * c.c_18;
-        c.c_21 = Number(2) * c.eps;
-        const Number k_3 = hypot(c.C, Number(0));
-        c.c_22 = Number(9) / Number(16) * c.c_7 * (k_3 * k_3);
-        c.c_23 = c.c_3 * c.c_7;
-        c.c_24 = Number(1) / Number(128) * c.c_7;
-        c.c_25 = Number(1) / Number(64) * c.c_7;
+        c.c_16 = Number(3) / Number(16) * k_2;
+        c.c_17 = Number(1) / Number(128) * c.C;
+        c.c_18 = c.c_3 * k_2;
+        c.c_19 = c.c_7 * c.eps;
+        c.c_20 = c.eps * c.C;
+        c.c_21 = c.c_3 * k_2 * c.c_19;
+        c.c_22 = Number(2) * c.eps;
+        const Number k_3 = magnitude(c.C);
+        c.c_23 = Number(9) / Number(16) * c.c_7 * (k_3 * k_3);
+        c.c_24 = c.c_3 * c.c_7;
+        c.c_25 = Number(1) / Number(128) * c.c_7;
+        c.c_26 = Number(1) / Number(64) * c.c_7;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -305,7 +307,7 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 5> layers(
+    template <class Number> static std::array<Number, 6> layers(
             const Constants<Number>& c, const Number& T) {
         const Number q_1 = -Number(2) * T;
         const Number u = c.u_0 * exp(q_1) - c.c_1 * expm1(q_1);
@@ -316,12 +318,12 @@ private:
         const Number q_3 = exp(Number(c.c_5 * T));
         const Number s_m1_2 = s_2 * per_s;
         const Number q_4 = Number(4) * s;
-        const Number q_5 = s_m1_2 * (c.c_21 * u - c.eps);
+        const Number q_5 = s_m1_2 * (c.c_22 * u - c.eps);
         const Number s_p3_2 = s * s_2;
-        const Number q_6 = per(hypot(s, Number(0)));
-        const Number q_7 = c.c_23 * u;
-        const Number q_8 = q_2 * per_s * (u * (q_7 - c.c_23) + c.c_24) + q_2 * (q_7 - c.c_25) + c.c_24 * per_s;
-        return {Number(Number(4096) - Number(2) * T), Number(q_4 + q_5), Number(q_4 - q_5), Number(Number(1) - c.c_22 * s_p3_2 * (q_3 * q_3) * (q_6 * q_6 * q_6)), Number(Number(1) - Number(2) * hypot(q_8, Number(0)))};
+        const Number q_6 = per(magnitude(s));
+        const Number q_7 = c.c_24 * u;
+        const Number q_8 = q_2 * per_s * (u * (q_7 - c.c_24) + c.c_25) + q_2 * (q_7 - c.c_26) + c.c_25 * per_s;
+        return {Number(Number(4096) - Number(2) * T), Number(q_4 + q_5), Number(q_4 - q_5), Number(Number(1) - c.c_23 * s_p3_2 * (q_3 * q_3) * (q_6 * q_6 * q_6)), Number(Number(1) - Number(2) * magnitude(q_8)), Number(Number(4096) - c.c_9 * T)};
     }
 
     // dtheta/dT
@@ -360,16 +362,16 @@ private:
         const Real x_1 = c.C * s_m1_4 * q_3 * a.cos_theta;
         const Real s_m7_4 = s_4 * q_2;
         const Real s_m3_4 = s_4 * per_s;
-        const Real x_2 = a.sin_theta * (s_m7_4 * q_3 * (c.c_9 * u - c.c_10) + c.c_10 * s_m3_4 * q_3);
+        const Real x_2 = a.sin_theta * (s_m7_4 * q_3 * (c.c_10 * u - c.c_11) + c.c_11 * s_m3_4 * q_3);
         const Real s_m13_4 = s_2 * s_4 * (q_2 * q_2);
         const Real s_m9_4 = s_2 * s_4 * (q_2 * per_s);
         const Real q_4 = q_3 * q_3 * q_3;
         const Real s_m5_4 = s_2 * s_4 * q_2;
-        const Real q_5 = s_m13_4 * q_3 * (u * (-c.c_11 * u - c.c_12) + c.c_13) + s_m9_4 * q_3 * (c.c_14 - c.c_12 * u) + c.c_16 * s_m5_4 * q_3 - c.c_15 * s_m7_4 * q_4;
+        const Real q_5 = s_m13_4 * q_3 * (u * (-c.c_12 * u - c.c_13) + c.c_14) + s_m9_4 * q_3 * (c.c_15 - c.c_13 * u) + c.c_17 * s_m5_4 * q_3 - c.c_16 * s_m7_4 * q_4;
         const Real q_6 = a.sin_theta * a.sin_theta;
         const Real cos_2theta = a.cos_theta * a.cos_theta - q_6;
         const Real cos_3theta = a.cos_theta * cos_2theta - Real(2) * a.cos_theta * q_6;
-        const Real x_3 = a.cos_theta * q_5 + c.c_17 * s_m7_4 * q_4 * cos_3theta;
+        const Real x_3 = a.cos_theta * q_5 + c.c_18 * s_m7_4 * q_4 * cos_3theta;
         if (!(s > Real(0))) return Status::outside_domain;
         values.x = c.eps * (x_1 + c.eps * (x_2 + c.eps * x_3));
         values.u = u;
@@ -394,12 +396,12 @@ private:
         const Number s_m9_4 = s_2 * s_4 * (q_2 * per_s);
         const Number q_4 = q_3 * q_3 * q_3;
         const Number s_m5_4 = s_2 * s_4 * q_2;
-        const Number q_5 = s_m13_4 * q_3 * (u * (-c.c_11 * u - c.c_12) + c.c_13) + s_m9_4 * q_3 * (c.c_14 - c.c_12 * u) + c.c_16 * s_m5_4 * q_3 - c.c_15 * s_m7_4 * q_4;
-        const Number q_6 = c.c_7 * (s_m7_4 * q_3 * (c.c_9 * u - c.c_10) + c.c_10 * s_m3_4 * q_3);
+        const Number q_5 = s_m13_4 * q_3 * (u * (-c.c_12 * u - c.c_13) + c.c_14) + s_m9_4 * q_3 * (c.c_15 - c.c_13 * u) + c.c_17 * s_m5_4 * q_3 - c.c_16 * s_m7_4 * q_4;
+        const Number q_6 = c.c_7 * (s_m7_4 * q_3 * (c.c_10 * u - c.c_11) + c.c_11 * s_m3_4 * q_3);
         std::array<Number, 4> none;
         none.fill(resonform::math::not_a_number<Number>());
         if (!(s > Number(0))) return none;
-        return {Number(c.c_18 * q_5 + c.c_19 * s_m1_4 * q_3), Number(q_6), Number(c.c_20 * s_m7_4 * q_4), Number(u)};
+        return {Number(c.c_19 * q_5 + c.c_20 * s_m1_4 * q_3), Number(q_6), Number(c.c_21 * s_m7_4 * q_4), Number(u)};
     }
 
     using Cause = resonform::Cause;
@@ -553,7 +555,7 @@ private:
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
                 resonform::clear_of_layers([this](const Real& T) { return layers(constants_, T); },
-                                           std::array{"u", "2*sqrt(-c*u + 1)", "2*sqrt(-c*u + 1)", "x", "x"}, reach), reach);
+                                           std::array{"u", "2*sqrt(-c*u + 1)", "2*sqrt(-c*u + 1)", "x", "x", "exp(-d*T)"}, reach), reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

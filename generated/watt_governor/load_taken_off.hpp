@@ -1146,9 +1146,9 @@ private:
         const Number q_5 = s1_m1_2 * (q_1 * q_1) * (q_2 * (q_2 * (c.c_7 * q_2 - c.c_8) + c.c_7) - c.c_8);
         const Number q_6 = c.c_36 * q_2;
         const Number q_7 = hypot(Number(s_m3_2 * s2_m3_2 * s3_m3_2 * per_w_mean * (q_6 - c.c_3)), Number(s_m3_2 * s1_m1_2 * s2_m3_2 * s3_m3_2 * (c.c_3 - q_6)));
-        const Number q_8 = hypot(s, c.c_11);
+        const Number q_8 = magnitude(s);
         const Number q_9 = s_2 * q_2 * s2_2 * s3_2 * q_8 * (w_ * (w_ * s2 + Number(1)) + Number(1));
-        return {Number(q_4 + q_5 + c.c_10), Number(q_4 + c.c_10 - q_5), Number(Number(1) - Number(2) * q_7), Number(q_8), Number(hypot(s1, c.c_11)), Number(q_9)};
+        return {Number(q_4 + q_5 + c.c_10), Number(q_4 + c.c_10 - q_5), Number(Number(1) - Number(2) * q_7), Number(q_8), Number(magnitude(s1)), Number(q_9)};
     }
 
     // dtheta/dT

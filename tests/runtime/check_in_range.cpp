@@ -135,12 +135,12 @@ TEST(InRange, OneOfSeveralSideBySide) {
     using kernel::Pack;
     const auto square = [](const Pack& a, Pack& x) { x = a * a; };
     Pack x, result;
-    for (std::size_t j = 0; j < kernel::lanes; ++j) {
+    for (std::size_t j = 0; j < kernel::pack_lanes; ++j) {
         x = Pack(3.0);
         EXPECT_TRUE(in_range<Pack>(square, result, x));
-        x.v[j] = 1e200;
+        x.set(j, 1e200);
         EXPECT_FALSE(in_range<Pack>(square, result, x));
-        x.v[j] = 1e-200;
+        x.set(j, 1e-200);
         EXPECT_FALSE(in_range<Pack>(square, result, x));
     }
 }

@@ -75,5 +75,25 @@ TEST_F(Relaxing, EndsAfterManyRelaxations) {
     EXPECT_EQ(later.why, "s");
 }
 
+// So does an amplitude; its transient is in the rate of the phase, which long intervals see as short ones do.
+TEST_F(Relaxing, DampingEndsLikewise) {
+    const Scene scene =
+        written("[parameters]\nd = { positive = true }\n[variables]\nx = { role = \"fast\" }\n"
+                "[equations]\nx = \"x'' + 2*eps*d*x' + x + x^3 = 0\"\n",
+                "order = 2\n[fix]\nd = 1000\n[start]\n" + constants);
+    const double eps = 1e-3;
+    const auto at = [&, program = test::program_of(scene)](double t, double slow_time_end, Status expected) {
+        const Interpreter<double> evaluator(program, eps, {}, {}, slow_time_end);
+        std::vector<double> values;
+        EXPECT_EQ(evaluator.call(t, values), expected) << t;
+        EXPECT_STREQ(evaluator.why(Status::outside_domain), slow_time_end > 5 ? "exp(-d*T)" : "");
+        return values.front();
+    };
+    for (const double t : {0.25, 1.0, 3.0})
+        EXPECT_NEAR(at(t, 100, Status::ok), at(t, eps * t, Status::ok), 1e-15 * eps) << t;
+    at(4090, 100, Status::ok);
+    at(4100, 100, Status::outside_domain);
+}
+
 } // namespace
 } // namespace resonform

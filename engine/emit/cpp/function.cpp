@@ -52,6 +52,13 @@ std::string function_text(const std::string& head, const Parameters& parameters,
     return text + body + "    }\n";
 }
 
+// hypot(x, 0)
+bool is_modulus_of_real(const StraightLine& code, const StraightLine::Instruction& i) {
+    if (i.op != StraightLine::Op::function || i.function != Graph::Op::sqrt_sum_squares) return false;
+    const StraightLine::Instruction& second = code.at(i.operands.back());
+    return second.op == StraightLine::Op::number && second.number == 0;
+}
+
 // A text as literals, one a line.
 std::string literal_lines(const std::string& text) {
     constexpr std::size_t longest = 240;
@@ -232,6 +239,7 @@ CppFunction::Text CppFunction::function_of(const StraightLine::Instruction& i) c
         return {fmt::format("{}.{}({}, {})", callables_in_, cpp_callable_name(i.callable), i.index,
                             arguments.front()),
                 Level::atom};
+    if (is_modulus_of_real(*code_, i)) return {fmt::format("magnitude({})", arguments.front()), Level::atom};
     const std::string name = i.op == StraightLine::Op::root ? "sqrt" : function_name(i.function);
     return {fmt::format("{}({})", name, fmt::join(arguments, ", ")), Level::atom};
 }

@@ -4,6 +4,8 @@
 #include "algebra/number/error.hpp"
 #include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
+#include "emit/display/quantity.hpp"
+#include "emit/graph/conditioning.hpp"
 #include "emit/graph/lower.hpp"
 #include "emit/program/corrections.hpp"
 #include "emit/program/fixed_divisors.hpp"
@@ -25,6 +27,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 
 namespace resonform {
 
@@ -59,6 +62,7 @@ public:
                 program_, solution_, surroundings_,
                 {{call.lowering.polynomial(leading_modulus(solution_)), program_.graph.rational(0)}},
                 [&](const Polynomial& p) { return call.lowering.polynomial(p); });
+        add_transients(call);
         constants.require_map(surroundings_);
         close();
         return std::move(program_);
@@ -69,6 +73,7 @@ private:
     void define_slow_variables();
     void define_phase(Moment& call, Graph::Node start);
     void define_results(Moment& call);
+    void add_transients(const Moment& call);
     Graph::Node lower(const Polynomial& p, Moment& call, const std::string& name, bool oscillating,
                       Amplitudes* rows = nullptr);
     Graph::Node result(const SolutionOutput& output, Moment& call, bool oscillating,
@@ -172,6 +177,22 @@ void ProgramBuilder::define_results(Moment& call) {
         if (k == 1) continue;
         program_.names.push_back({fmt::format("cos_{}theta", k), pair.first});
         program_.names.push_back({fmt::format("sin_{}theta", k), pair.second});
+    }
+}
+
+// Exponentials e^a of slow time end the evaluator where a = -most_relaxations.
+void ProgramBuilder::add_transients(const Moment& call) {
+    Graph& graph = program_.graph;
+    std::set<Graph::Node> tables;
+    for (const ProgramTable& table : program_.tables) tables.insert(table.value);
+    for (const Primitive& p : solution_.primitives) {
+        if (p.kind != PrimitiveKind::exponential) continue;
+        const Graph::Node exponent = quadratures_.without_tables(p.argument, call.lowering);
+        if (depending(graph, tables)[static_cast<std::size_t>(exponent)]) continue;
+        const Graph::Node margin = graph.add({graph.rational(most_relaxations), exponent});
+        const std::string name = fmt::format("exp({})", quantity(*solution_.ring, p.argument));
+        if (varies(program_, exponent) && !signs_of(graph, margin, surroundings_.positive).is_positive())
+            program_.layers.push_back({margin, name, false, true, call.lowering.node(p.id)});
     }
 }
 

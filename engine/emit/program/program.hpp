@@ -85,6 +85,7 @@ struct ProgramCondition {
     std::string quantity;
     bool of_start_map = false; // the near-identity map leads back to the start
     bool broad = false;        // of a layer: a few samples see where it begins
+    Graph::Node of = -1;       // if it is one: pruned with this node
 };
 
 // Operations of one call; a power x^n counts as its multiplications.

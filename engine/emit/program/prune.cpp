@@ -20,7 +20,7 @@ template <class Needed> void keep_first(std::vector<ProgramCondition>& condition
     std::set<Graph::Node> seen;
     std::vector<ProgramCondition> kept;
     for (ProgramCondition& c : conditions)
-        if (needed(c.value) && seen.insert(c.value).second) kept.push_back(std::move(c));
+        if (needed(c) && seen.insert(c.value).second) kept.push_back(std::move(c));
     conditions = std::move(kept);
 }
 
@@ -147,7 +147,9 @@ void prune(Program& program, const std::set<std::string>& kept_inputs) {
     std::vector<bool> known = used; // eps and the slow time are there in any case
     known[static_cast<std::size_t>(program.eps)] = known[static_cast<std::size_t>(program.slow_time)] = true;
     for (std::vector<ProgramCondition>* conditions : {&program.positive, &program.layers})
-        keep_first(*conditions, [&](Graph::Node n) { return is_about(program.graph, n, known); });
+        keep_first(*conditions, [&](const ProgramCondition& c) {
+            return (c.of < 0 || is_used(c.of)) && is_about(program.graph, c.value, known);
+        });
 
     // the default of a start value may need a parameter that nothing else does
     std::vector<Graph::Node> defaults;

@@ -31,6 +31,13 @@ Graph::Node Quadratures::value(const Primitive& primitive, Lowering& lowering) {
     return table(identifier(primitive.name), integrands_[primitive.id]);
 }
 
+Graph::Node Quadratures::without_tables(const Polynomial& p, const Lowering& lowering) const {
+    Lowering at_rate = lowering;
+    for (const auto& [id, integrand] : integrands_)
+        at_rate.define(id, program_.graph.multiply({program_.slow_time, integrand}), true);
+    return at_rate.polynomial(p);
+}
+
 // The quadrature of a monomial quadrature * constants, nullptr for every other monomial.
 const Primitive* Quadratures::only_quadrature(const Monomial& m, const Moment& call) const {
     const Primitive* found = nullptr;

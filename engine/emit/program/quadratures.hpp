@@ -22,6 +22,9 @@ public:
     // A table of this quadrature alone; its value.
     Graph::Node value(const Primitive& primitive, Lowering& lowering);
 
+    // p with T q(T) for each quadrature q from 0 to T: about as large, and no table is needed.
+    Graph::Node without_tables(const Polynomial& p, const Lowering& lowering) const;
+
     // Takes the terms coefficient * quadrature with constant coefficients out of p (in the ring of the
     // solution, by powers of eps): returns the rest, and the value of one table for the sum of the terms.
     std::pair<Polynomial, Graph::Node> extract(const Polynomial& p, Moment& call, const std::string& name);

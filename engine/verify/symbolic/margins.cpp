@@ -3,6 +3,7 @@
 
 #include "runtime/layer.hpp"
 #include "solve/first_correction.hpp"
+#include "solve/slow_law.hpp"
 
 #include <numeric>
 
@@ -41,9 +42,13 @@ Wide margin_of(const FirstCorrection& correction, const std::vector<SymbolicSum>
 SymbolicMargins::SymbolicMargins(const SymbolicFrame& frame) : frame_(frame) {
     for (const SymbolicCorrection& added : solution().corrections())
         if (added.is_layer && frame.any_moves(added.needs)) corrections_.push_back(&added);
+    for (const SymbolicPrimitive& p : solution().primitives())
+        if (!p.logarithm && frame.any_moves(p.argument)) transients_.push_back(&p);
 }
 
-bool SymbolicMargins::empty() const { return solution().layers().empty() && corrections_.empty(); }
+bool SymbolicMargins::empty() const {
+    return solution().layers().empty() && corrections_.empty() && transients_.empty();
+}
 
 std::vector<Wide> SymbolicMargins::at(const SymbolicValues<Wide>& values) const {
     Numbers result;
@@ -58,13 +63,26 @@ Wide SymbolicMargins::of(const SymbolicCorrection& added, const SymbolicValues<W
                      solution().moduli(values, frame_.small));
 }
 
+Numbers SymbolicMargins::of_transients(SymbolicValues<Wide> values, const Wide& T) const {
+    for (const SymbolicVariable& v : solution().variables())
+        if (v.kind == SymbolicVariable::Kind::quadrature)
+            values.set(v.id, T / math::power(frame_.small, v.power) * value_of(v.rate, values).re);
+    Numbers result;
+    for (const SymbolicPrimitive* p : transients_)
+        result.push_back(most_relaxations + value_of(p->argument, values).re);
+    return result;
+}
+
 Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach) const {
     SymbolicMoment<Wide> here(frame_);
     const auto margins_at = [&](const Wide& T) {
         integral.move_to(T, here);
-        return at(here.values);
+        Numbers result = at(here.values);
+        for (const Wide& margin : of_transients(here.values, T)) result.push_back(margin);
+        return result;
     };
-    const std::vector<const char*> names(4 * solution().layers().size() + corrections_.size(), "");
+    const std::size_t margins = 4 * solution().layers().size() + corrections_.size() + transients_.size();
+    const std::vector<const char*> names(margins, "");
     const int samples = solution().layers().empty() ? broad_layer_samples : layer_samples;
     return clear_of_layers(margins_at, names, reach, samples).status;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The margins of an exact solution, > 0 up to where its evaluator ends: of divisors that move
-// (emit/program/layers.hpp) and of the first corrections of the map (solve/first_correction.hpp).
+// (emit/program/layers.hpp), of the first corrections of the map (solve/first_correction.hpp), and of
+// exponentials of slow time (solve/slow_law.hpp).
 #pragma once
 
 #include "verify/symbolic/integral.hpp"
@@ -17,8 +18,8 @@ class SymbolicMargins {
 public:
     explicit SymbolicMargins(const SymbolicFrame& frame); // must outlive it
 
-    [[nodiscard]] bool empty() const; // no margin moves
-    [[nodiscard]] std::vector<Wide> at(const SymbolicValues<Wide>& values) const;
+    [[nodiscard]] bool empty() const;                                             // no margin moves
+    [[nodiscard]] std::vector<Wide> at(const SymbolicValues<Wide>& values) const; // all but exponentials
     [[nodiscard]] Wide of(const SymbolicCorrection& added, const SymbolicValues<Wide>& values) const;
     // Draws `reach` back to before a margin fails; its status then.
     Status keep_clear(const SymbolicIntegral& integral, Wide& reach) const;
@@ -26,8 +27,12 @@ public:
 private:
     [[nodiscard]] const SymbolicSolution& solution() const { return *frame_.solution; }
 
+    // Quadratures in their exponents are T times what is integrated.
+    [[nodiscard]] std::vector<Wide> of_transients(SymbolicValues<Wide> values, const Wide& T) const;
+
     const SymbolicFrame& frame_;
     std::vector<const SymbolicCorrection*> corrections_; // that vary
+    std::vector<const SymbolicPrimitive*> transients_;
 };
 
 } // namespace resonform
