@@ -89,6 +89,10 @@ template <class Number> struct Scaled {
     }
 };
 
+template <class Number> Scaled<Number> magnitude(const Scaled<Number>& x) {
+    return {Number(math::magnitude(x.mantissa)), x.exponent};
+}
+
 // A function of Number at x: what is too small for Number is 0, what is too large is not a number.
 template <class Function, class Number> Scaled<Number> of_number(const Function& f, const Scaled<Number>& x) {
     Number value;
@@ -171,8 +175,8 @@ template <class Number> Scaled<Number> asinh(const Scaled<Number>& x) {
     using math::asinh;
     if (x.exponent == 0) return Scaled<Number>(asinh(x.mantissa));
     if (x.exponent < 0) return x;
-    const Scaled<Number> zero, size = zero > x ? -x : x, result = log(size + size);
-    return zero > x ? -result : result;
+    const Scaled<Number> size = magnitude(x), result = log(size + size);
+    return x.mantissa < Number(0) ? -result : result;
 }
 
 template <class Number> Scaled<Number> sinh(const Scaled<Number>& x) {
@@ -195,10 +199,8 @@ template <class Number> Scaled<Number> erf(const Scaled<Number>& x) {
 
 template <class Number> Scaled<Number> hypot(const Scaled<Number>& x, const Scaled<Number>& y) {
     using math::hypot;
-    if (x.mantissa == Number(0) || y.mantissa == Number(0)) {
-        const Scaled<Number>& other = x.mantissa == Number(0) ? y : x;
-        return {Number(math::magnitude(other.mantissa)), other.exponent};
-    }
+    if (x.mantissa == Number(0)) return magnitude(y);
+    if (y.mantissa == Number(0)) return magnitude(x);
     const long e = x.exponent < y.exponent ? y.exponent : x.exponent;
     return {Number(hypot(x.at(e), y.at(e))), e};
 }

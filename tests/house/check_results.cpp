@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path source_folder = RESONFORM_SOURCE_DIR, kept = source_folder / "docs/results";
-constexpr std::uintmax_t largest = 5'000'000; // bytes of all together
+constexpr std::uintmax_t largest = 10'000'000; // bytes of all together, a picture for each input
 const std::string quick_scene = "van_der_pol/to_the_cycle";
 
 std::vector<fs::path> results_documents() {

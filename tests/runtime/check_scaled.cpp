@@ -119,6 +119,8 @@ TYPED_TEST(EveryReal, PowersLeaveTheRangeAndComeBack) {
         EXPECT_LT(this->distance(exact(hypot(above, below)),
                                  sqrt(exact(above) * exact(above) + exact(below) * exact(below))),
                   4);
+        EXPECT_EQ(exact(magnitude(-above)), exact(above));
+        EXPECT_EQ(exact(magnitude(above)), exact(above));
         EXPECT_LT(this->distance(exact(atan2(above, below)), atan(exact(above) / exact(below))), 8);
         EXPECT_LT(this->distance(exact(log(above)), log(exact(above))), 8);
         EXPECT_LT(this->distance(exact(asinh(-above)), -asinh(exact(above))), 8);

@@ -68,5 +68,22 @@ TEST(SlowLiars, OfASceneAreCaught) {
     }
 }
 
+// The count of weights for slow flows lets amplitudes act on phases at order eps; here they do not, and the
+// last weight acts on no order that is claimed.
+TEST(SlowLiars, AreNotToldInRatesThatNoClaimNeeds) {
+    const test::SceneLine line = test::line_of(test::scene_of("driven_duffing", "forced_oscillation"));
+    EXPECT_EQ(line.solution.truncation, 5);
+    Lies lies;
+    lies.threshold = 16;
+    lies_in_solution(line.system, line.scene, line.solution, test::options(), lies);
+    EXPECT_EQ(lies.survivors(), 0U) << to_text(lies);
+    const auto told_in = [&](const std::string& part) {
+        return std::any_of(lies.all.begin(), lies.all.end(),
+                           [&](const Lie& lie) { return lie.where.find(part) != std::string::npos; });
+    };
+    EXPECT_TRUE(told_in("rate of mode 0, weight 3"));
+    EXPECT_FALSE(told_in("rate of mode 0, weight 5"));
+}
+
 } // namespace
 } // namespace resonform

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
+#include "solve/neglected.hpp"
+#include "verify/estimate/next_weight.hpp"
 #include "verify/judging/descent.hpp"
 #include "verify/judging/emitted_judge.hpp"
+#include "verify/judging/guarantee.hpp"
 #include "verify/judging/lies.hpp"
 #include "verify/judging/order_of_starts.hpp"
 #include "verify/judging/trial.hpp"
@@ -14,7 +17,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,8 +34,10 @@ struct PlaceInSolution {
 
 class PlacesInSolution {
 public:
-    // judged: outputs of which the ladder judges every term. Where there is none, there is no place.
-    PlacesInSolution(const Solution& solution, const std::set<std::string>& judged) : judged_(judged) {
+    // judged: the outputs of which the ladder judges every term, and their claims. Where there is none, there
+    // is no place. weight: the largest of a rate's part that a claim needs.
+    PlacesInSolution(const Solution& solution, const Claims& judged, int weight)
+        : judged_(judged), weight_(weight) {
         if (judged.empty()) return;
         if (solution.flow)
             read_flow(*solution.flow);
@@ -47,29 +51,35 @@ private:
         all_.push_back(
             {name, truth, [find](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f) = p; }});
     }
-    template <class Find> void add(const std::string& name, const Series& truth, const Find& find) {
-        for (int n = 0; n <= truth.through(); ++n)
+    template <class Find>
+    void add(const std::string& name, const Series& truth, int through, const Find& find) {
+        for (int n = 0; n <= std::min(truth.through(), through); ++n)
             all_.push_back(
                 {fmt::format("{}, weight {}", name, n), truth.part(n),
                  [find, n](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f).set(n, p); }});
     }
+    template <class Find> void add_rate(const std::string& name, const Series& truth, const Find& find) {
+        add(name, truth, weight_, find);
+    }
     void read_closed(const Solution& solution);
     void read_flow(const SlowFlow& flow);
 
-    const std::set<std::string>& judged_;
+    const Claims& judged_;
+    int weight_;
     std::vector<PlaceInSolution> all_;
 };
 
 void PlacesInSolution::read_closed(const Solution& solution) {
     for (std::size_t k = 0; k < solution.modes.size(); ++k)
-        add(fmt::format("solution, phase rate {}", k), solution.modes[k].phase_rate,
-            [k](Solution& s, SlowFlow&) -> Series& { return s.modes[k].phase_rate; });
+        add_rate(fmt::format("solution, phase rate {}", k), solution.modes[k].phase_rate,
+                 [k](Solution& s, SlowFlow&) -> Series& { return s.modes[k].phase_rate; });
     for (std::size_t k = 0; k < solution.primitives.size(); ++k)
         add("solution, " + solution.primitives[k].name, solution.primitives[k].argument,
             [k](Solution& s, SlowFlow&) -> Polynomial& { return s.primitives[k].argument; });
     for (std::size_t k = 0; k < solution.outputs.size(); ++k)
         if (judged_.count(solution.outputs[k].name) > 0)
             add("solution, " + solution.outputs[k].name, solution.outputs[k].value,
+                solution.outputs[k].value.through(),
                 [k](Solution& s, SlowFlow&) -> Series& { return s.outputs[k].value; });
 }
 
@@ -81,20 +91,20 @@ void PlacesInSolution::read_flow(const SlowFlow& flow) {
         add(fmt::format("solution, exponent {}", k), flow.decays[k],
             [k](Solution&, SlowFlow& f) -> Polynomial& { return f.decays[k]; });
     for (std::size_t k = 0; k < flow.modes.size(); ++k)
-        add(fmt::format("solution, rate of mode {}", k), flow.modes[k].rate,
-            [k](Solution&, SlowFlow& f) -> Series& { return f.modes[k].rate; });
+        add_rate(fmt::format("solution, rate of mode {}", k), flow.modes[k].rate,
+                 [k](Solution&, SlowFlow& f) -> Series& { return f.modes[k].rate; });
     for (std::size_t k = 0; k < flow.angles.size(); ++k)
-        add(fmt::format("solution, rate of angle {}", k), flow.angles[k].rate,
-            [k](Solution&, SlowFlow& f) -> Series& { return f.angles[k].rate; });
+        add_rate(fmt::format("solution, rate of angle {}", k), flow.angles[k].rate,
+                 [k](Solution&, SlowFlow& f) -> Series& { return f.angles[k].rate; });
     for (std::size_t k = 0; k < flow.slow.size(); ++k)
-        add(fmt::format("solution, slow rate {}", k), flow.slow[k],
-            [k](Solution&, SlowFlow& f) -> Series& { return f.slow[k]; });
+        add_rate(fmt::format("solution, slow rate {}", k), flow.slow[k],
+                 [k](Solution&, SlowFlow& f) -> Series& { return f.slow[k]; });
     for (std::size_t k = 0; k < flow.drift.size(); ++k)
-        add(fmt::format("solution, drift rate {}", k), flow.drift[k],
-            [k](Solution&, SlowFlow& f) -> Series& { return f.drift[k]; });
+        add_rate(fmt::format("solution, drift rate {}", k), flow.drift[k],
+                 [k](Solution&, SlowFlow& f) -> Series& { return f.drift[k]; });
     for (std::size_t k = 0; k < flow.outputs.size(); ++k)
         if (judged_.count(flow.outputs[k].name) > 0)
-            add("solution, " + flow.outputs[k].name, flow.outputs[k].value,
+            add("solution, " + flow.outputs[k].name, flow.outputs[k].value, flow.outputs[k].value.through(),
                 [k](Solution&, SlowFlow& f) -> Series& { return f.outputs[k].value; });
 }
 
@@ -132,11 +142,32 @@ public:
         honest_ = descended(honest, result, roundings_, [](const Verdicts&) { return false; });
         for (const OutputVerdict& output : result.outputs)
             if (output.expected == Verdict::pass && output.claimed_order > scene_.order)
-                judged_.insert(output.name);
+                judged_[output.name] = output.claimed_order;
     }
     // The outputs that are to pass and whose claim leaves no term of theirs out, as that of a mean motion
     // does.
-    [[nodiscard]] const std::set<std::string>& judged() const { return judged_; }
+    [[nodiscard]] const Claims& judged() const { return judged_; }
+    // The largest weight in the rates of a solution without which a claim would not be guaranteed; all, where
+    // nothing can be said.
+    [[nodiscard]] int weight_needed(const Solution& solution) const {
+        const std::optional<int> p = time_power(scene_);
+        int weight = solution.truncation;
+        if (!p) return weight;
+        TruncatedFormula formula = formula_of(scene_, solution, *p);
+        try {
+            for (; weight > solution.order; --weight) {
+                formula.truncation = weight - 1;
+                const Neglected without(solution, formula);
+                const auto loses = [&](const auto& claim) {
+                    const std::optional<ErrorPower> error = without.power(claim.first);
+                    return error && error->power < claim.second;
+                };
+                if (std::any_of(judged_.begin(), judged_.end(), loses)) break;
+            }
+        } catch (const Error&) { // errors that feed on each other
+        }
+        return weight;
+    }
     // An output fails after a rung after which it honestly does not, or does not pass in the end though it
     // honestly does.
     [[nodiscard]] bool catches(const Solution& lie) const {
@@ -183,7 +214,7 @@ private:
     VerifyOptions options_;
     Verdicts honest_;
     Descent::Roundings roundings_; // of the honest solution
-    std::set<std::string> judged_;
+    Claims judged_;
 };
 
 // How far interpreted code with a lie is from that without.
@@ -252,7 +283,7 @@ void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, con
     EffectOfLies effect(scene, solution, options);
     LadderOfLies ladder(system, scene, options);
     ladder.learn(solution);
-    const PlacesInSolution places(solution, ladder.judged());
+    const PlacesInSolution places(solution, ladder.judged(), ladder.weight_needed(solution));
     const Ring& ring = solution.flow ? *solution.normalization->normal_form.field->ring : *solution.ring;
     for (const PlaceInSolution& place : places.all())
         for (std::size_t term = 0; term < place.truth.size(); ++term) {

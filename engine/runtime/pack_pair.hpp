@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Packs of twice the digits of double.
+#ifndef RESONFORM_RUNTIME_PACK_PAIR
+#define RESONFORM_RUNTIME_PACK_PAIR
+
+#include "runtime/pack.hpp"
+
+namespace resonform::kernel {
+inline namespace RESONFORM_WIDTH {
+
+// high + low: twice the digits but a few, |low| about a unit of the last place of high.
+struct PackPair {
+    Pack high, low;
+
+    PackPair() = default;
+    PackPair(const Pack& h, const Pack& l) : high(h), low(l) {}
+    explicit PackPair(const Pack& x) : high(x) {}
+    explicit PackPair(const Twice<double>& x) : high(x.high), low(x.low) {}
+    template <class Number>
+    requires std::is_arithmetic_v<Number>
+    explicit PackPair(Number x) : high(x) {}
+    explicit operator Pack() const { return high + low; }
+
+    static PackPair product(const Pack& a, const Pack& b) {
+        using L = Pack::L;
+        const Pack p = Pack::of([](auto x, auto y) { return L::product(x, y); }, a, b);
+        return {p, Pack::of([](auto x, auto y, auto z) { return L::product_error(x, y, z); }, a, b, p)};
+    }
+    // |b| below |a|
+    static PackPair sorted_sum(const Pack& a, const Pack& b) {
+        const Pack s = a + b;
+        return {s, b - (s - a)};
+    }
+    friend PackPair operator-(const PackPair& a) { return {-a.high, -a.low}; }
+    friend PackPair operator+(const PackPair& a, const PackPair& b) {
+        const Pack s = a.high + b.high, part = s - a.high;
+        const Pack rest = (a.high - (s - part)) + (b.high - part);
+        return sorted_sum(s, rest + (a.low + b.low));
+    }
+    friend PackPair operator-(const PackPair& a, const PackPair& b) { return a + (-b); }
+    friend PackPair operator*(const PackPair& a, const PackPair& b) {
+        const PackPair p = product(a.high, b.high);
+        return sorted_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+    }
+    friend PackPair operator/(const PackPair& a, const PackPair& b) {
+        const Pack inverse = reciprocal(b.high), q = a.high * inverse;
+        const PackPair p = product(q, b.high);
+        return sorted_sum(q, (((a.high - p.high) - p.low) + (a.low - q * b.low)) * inverse);
+    }
+    friend Mask operator<(const PackPair& a, const PackPair& b) { return (a - b).high < Pack(0); }
+    friend Mask operator>(const PackPair& a, const PackPair& b) { return b < a; }
+    friend Mask operator==(const PackPair& a, const PackPair& b) {
+        return (a.high == b.high) & (a.low == b.low);
+    }
+};
+
+inline PackPair reciprocal(const PackPair& x) {
+    const Pack inverse = reciprocal(x.high);
+    const PackPair one = PackPair::product(x.high, inverse);
+    const Pack rest = ((Pack(1) - one.high) - one.low) - x.low * inverse;
+    return PackPair::sorted_sum(inverse, inverse * rest);
+}
+
+inline PackPair sqrt(const PackPair& x) {
+#if RESONFORM_LANES == 8
+    Pack half;
+    const Pack root = root_and_half(x.high, half);
+#else
+    const Pack root = sqrt(x.high), none(0), half = select(x.high > none, Pack(0.5) / root, none);
+#endif
+    const PackPair square = PackPair::product(root, root);
+    const Pack rest = ((x.high - square.high) - square.low) + x.low;
+    return PackPair::sorted_sum(root, rest * half);
+}
+
+// Lane by lane.
+template <class Function, class... Pairs> PackPair each_pair(const Function& f, const Pairs&... x) {
+    PackPair result;
+    for (std::size_t i = 0; i < pack_lanes; ++i) {
+        const Twice<double> own = f(Twice<double>(x.high[i], x.low[i])...);
+        result.high.set(i, own.high);
+        result.low.set(i, own.low);
+    }
+    return result;
+}
+inline PackPair asinh(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return asinh(y); }, x);
+}
+inline PackPair exp(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return exp(y); }, x);
+}
+inline PackPair expm1(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return expm1(y); }, x);
+}
+inline PackPair log(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return log(y); }, x);
+}
+inline PackPair log1p(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return log1p(y); }, x);
+}
+inline PackPair sinh(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return sinh(y); }, x);
+}
+inline PackPair erf(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return math::erf(y); }, x);
+}
+inline PackPair sin(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return sin(y); }, x);
+}
+inline PackPair cos(const PackPair& x) {
+    return each_pair([](const Twice<double>& y) { return cos(y); }, x);
+}
+inline PackPair hypot(const PackPair& x, const PackPair& y) {
+    return each_pair([](const Twice<double>& a, const Twice<double>& b) { return hypot(a, b); }, x, y);
+}
+inline PackPair atan2(const PackPair& y, const PackPair& x) {
+    return each_pair([](const Twice<double>& a, const Twice<double>& b) { return atan2(a, b); }, y, x);
+}
+
+} // namespace RESONFORM_WIDTH
+} // namespace resonform::kernel
+
+namespace resonform {
+
+namespace math {
+template <> inline constexpr int digits<kernel::PackPair> = 2 * 53;
+template <> inline kernel::PackPair per<kernel::PackPair>(const kernel::PackPair& x) {
+    return kernel::reciprocal(x);
+}
+template <> inline kernel::PackPair root<kernel::PackPair>(const kernel::PackPair& x, int k) {
+    return kernel::each_pair([k](const Twice<double>& y) { return root(y, k); }, x);
+}
+} // namespace math
+
+template <> struct OneOf<kernel::PackPair> { using type = Twice<double>; };
+template <> inline constexpr bool notes_range<kernel::PackPair> = true;
+template <> struct RangeNotesOf<kernel::PackPair> : RangeNotesOf<double> {};
+template <> struct WideNumberOf<kernel::Pack> { using type = kernel::PackPair; };
+
+inline kernel::PackPair spline(const Spline& of, int derivative, const kernel::PackPair& x) {
+    return kernel::each_pair([&](const Twice<double>& y) { return of.at(derivative, y); }, x);
+}
+
+} // namespace resonform
+
+#endif
