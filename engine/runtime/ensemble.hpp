@@ -7,6 +7,7 @@
 
 #include "runtime/final_sums.hpp"
 #include "runtime/layer.hpp"
+#include "runtime/pack.hpp"
 #include "runtime/pack_pair.hpp"
 #include "runtime/report.hpp"
 
