@@ -41,13 +41,13 @@ public:
                       clear_beyond_doubt([this](const Pack& x) { return course_.margins(x); }, Pack(0), T);
         Mask open = members, done = members & ~members;
         if (!full_phase || Course::angles == 0) {
-            done = integrate<Pack, nodes>(T, open, plain_radians);
+            done = integrate<Pack>(T, open, plain_radians);
             open = open & ~done;
         }
         // two lanes and products split into halves would be slower than at_end
         if constexpr (Course::angles > 0 && kernel::lanes > 2)
             if (open.any())
-                done = done | integrate<PackPair, nodes>(PackPair::product(eps_, t_), open, packed_radians);
+                done = done | integrate<PackPair>(PackPair::product(eps_, t_), open, packed_radians);
         return done;
     }
 
@@ -55,7 +55,7 @@ private:
     static constexpr std::size_t nodes = 20; // of a panel
 
     // Of the members that are open, those that 1, 2, 4 or 8 panels resolve.
-    template <class Number, std::size_t n> Mask integrate(const Number& end, Mask open, double most) {
+    template <class Number> Mask integrate(const Number& end, Mask open, double most) {
         Mask done = open & ~open;
         const typename Course::template Angles<Number> turning(course_);
         if (turning.lost.status != Status::ok) {
@@ -63,7 +63,7 @@ private:
             return done;
         }
         for (int parts = 1; parts <= 8 && open.any(); parts *= 2) {
-            FinalSums<Pack, Course, Number, n> sums(course_, turning);
+            FinalSums<Pack, Course, Number, nodes> sums(course_, turning);
             const Mask resolved = open & sums.integrate_evenly(end, parts);
             Mask now = resolved;
             for (std::size_t k = 0; k < Course::angles; ++k)

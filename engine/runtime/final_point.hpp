@@ -89,10 +89,6 @@ public:
     }
 
 private:
-    struct Nameless {
-        const char* operator[](std::size_t) const { return ""; }
-    };
-
     template <class Number> Status integrate(const Number& end) {
         const typename Course::template Angles<Number> turning(course_);
         if (turning.lost.status != Status::ok) return turning.lost.status;

@@ -95,6 +95,11 @@ template <class Margins> bool all_clear(const Margins& margins) {
 // Places at which margins are sampled: divisors pass zero within a layer, amplitudes grow and fall slowly.
 inline constexpr int layer_samples = 256, broad_layer_samples = 32;
 
+// Of margins of which nobody asks which one fails.
+struct Nameless {
+    const char* operator[](std::size_t) const { return ""; }
+};
+
 // margins(T) -> an array of margins, each smooth on 0 <= T <= reach, of the divisors or variables named. If
 // one is not > 0 somewhere (NaN is not), `reach` is drawn back to before that place; 0: there is none. What
 // is narrower than two samples and has no slope outside is not seen.

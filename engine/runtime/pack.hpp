@@ -167,15 +167,14 @@ inline Pack root_and_half(const Pack& x, Pack& half) {
     }
     return result;
 }
-#else
-inline Pack reciprocal(const Pack& x) { return Pack(1) / x; }
-#endif
-
 inline Pack sqrt(const Pack& x) {
-#if RESONFORM_LANES == 8
     Pack half;
     return root_and_half(x, half);
-#elif defined(__AVX2__) && defined(__FMA__)
+}
+#else
+inline Pack reciprocal(const Pack& x) { return Pack(1) / x; }
+inline Pack sqrt(const Pack& x) {
+#if defined(__AVX2__) && defined(__FMA__)
     return Pack::of([](auto y) { return _mm256_sqrt_pd(y); }, x);
 #elif defined(__SSE2__)
     return Pack::of([](auto y) { return _mm_sqrt_pd(y); }, x);
@@ -183,6 +182,12 @@ inline Pack sqrt(const Pack& x) {
     return each([](double y) { return std::sqrt(y); }, x);
 #endif
 }
+inline Pack root_and_half(const Pack& x, Pack& half) {
+    const Pack root = sqrt(x), none(0);
+    half = select(x > none, Pack(0.5) / root, none);
+    return root;
+}
+#endif
 
 // The next whole number, |x| < 2^51, and its bits in the last places.
 inline Pack turned(const Pack& x) { return x + Pack(0x1.8p52); }

@@ -62,12 +62,8 @@ inline PackPair reciprocal(const PackPair& x) {
 }
 
 inline PackPair sqrt(const PackPair& x) {
-#if RESONFORM_LANES == 8
     Pack half;
     const Pack root = root_and_half(x.high, half);
-#else
-    const Pack root = sqrt(x.high), none(0), half = select(x.high > none, Pack(0.5) / root, none);
-#endif
     const PackPair square = PackPair::product(root, root);
     const Pack rest = ((x.high - square.high) - square.low) + x.low;
     return PackPair::sorted_sum(root, rest * half);

@@ -5,7 +5,6 @@
 #include "algebra/ring/constant.hpp"
 #include "emit/display/identifier.hpp"
 #include "emit/display/quantity.hpp"
-#include "emit/graph/conditioning.hpp"
 #include "emit/graph/lower.hpp"
 #include "emit/program/corrections.hpp"
 #include "emit/program/fixed_divisors.hpp"
@@ -182,17 +181,15 @@ void ProgramBuilder::define_results(Moment& call) {
 
 // Exponentials e^a of slow time end the evaluator where a = -most_relaxations.
 void ProgramBuilder::add_transients(const Moment& call) {
-    Graph& graph = program_.graph;
     std::set<Graph::Node> tables;
     for (const ProgramTable& table : program_.tables) tables.insert(table.value);
     for (const Primitive& p : solution_.primitives) {
         if (p.kind != PrimitiveKind::exponential) continue;
         const Graph::Node exponent = quadratures_.without_tables(p.argument, call.lowering);
-        if (depending(graph, tables)[static_cast<std::size_t>(exponent)]) continue;
-        const Graph::Node margin = graph.add({graph.rational(most_relaxations), exponent});
-        const std::string name = fmt::format("exp({})", quantity(*solution_.ring, p.argument));
-        if (varies(program_, exponent) && !signs_of(graph, margin, surroundings_.positive).is_positive())
-            program_.layers.push_back({margin, name, false, true, call.lowering.node(p.id)});
+        if (depending(program_.graph, tables)[static_cast<std::size_t>(exponent)]) continue;
+        if (varies(program_, exponent))
+            end_behind(exponent, fmt::format("exp({})", quantity(*solution_.ring, p.argument)),
+                       call.lowering.node(p.id));
     }
 }
 

@@ -88,10 +88,17 @@ Graph::Node SceneProgram::value_on_path(const std::string& xi, Graph::Node begin
     if (decline < 0) return graph.add({begin, graph.multiply({drive, program_.slow_time})});
     const Graph::Node exponent = graph.negate(graph.multiply({decline, program_.slow_time}));
     if (!signs_of(graph, graph.negate(decline), surroundings_.positive).is_positive())
-        program_.layers.push_back({graph.add({graph.rational(most_relaxations), exponent}), xi, false, true});
+        end_behind(exponent, xi);
     const Graph::Node lost = graph.negate(graph.function(Graph::Op::expm1, {exponent}));
     return graph.add({graph.multiply({begin, graph.function(Graph::Op::exp, {exponent})}),
                       graph.multiply({drive, graph.power(decline, -1), lost})});
+}
+
+void SceneProgram::end_behind(Graph::Node exponent, const std::string& quantity, Graph::Node of) {
+    Graph& graph = program_.graph;
+    const Graph::Node margin = graph.add({graph.rational(most_relaxations), exponent});
+    if (!signs_of(graph, margin, surroundings_.positive).is_positive())
+        program_.layers.push_back({margin, quantity, false, true, of});
 }
 
 void SceneProgram::move_slow(const Variable& variable, const std::string& called, Graph::Node begin,

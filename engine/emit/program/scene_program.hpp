@@ -34,6 +34,9 @@ protected:
     // the evaluator ends after most_relaxations of it.
     Graph::Node value_on_path(const std::string& xi, Graph::Node begin, Graph::Node drive,
                               Graph::Node decline);
+    // Lets the evaluator end where e^exponent has fallen to e^{-most_relaxations}, unless it never does. The
+    // condition is pruned with the node `of`, if there is one.
+    void end_behind(Graph::Node exponent, const std::string& quantity, Graph::Node of = -1);
     // Gives a slow variable its value during a call, and adds the conditions of its sign. called: its name
     // for readers.
     void move_slow(const Variable& variable, const std::string& called, Graph::Node begin, Graph::Node value);

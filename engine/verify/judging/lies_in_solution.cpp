@@ -51,15 +51,17 @@ private:
         all_.push_back(
             {name, truth, [find](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f) = p; }});
     }
+    // The parts through a weight, or all.
     template <class Find>
-    void add(const std::string& name, const Series& truth, int through, const Find& find) {
-        for (int n = 0; n <= std::min(truth.through(), through); ++n)
+    void add(const std::string& name, const Series& truth, const Find& find,
+             std::optional<int> through = {}) {
+        for (int n = 0; n <= std::min(truth.through(), through.value_or(truth.through())); ++n)
             all_.push_back(
                 {fmt::format("{}, weight {}", name, n), truth.part(n),
                  [find, n](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f).set(n, p); }});
     }
     template <class Find> void add_rate(const std::string& name, const Series& truth, const Find& find) {
-        add(name, truth, weight_, find);
+        add(name, truth, find, weight_);
     }
     void read_closed(const Solution& solution);
     void read_flow(const SlowFlow& flow);
@@ -79,7 +81,6 @@ void PlacesInSolution::read_closed(const Solution& solution) {
     for (std::size_t k = 0; k < solution.outputs.size(); ++k)
         if (judged_.count(solution.outputs[k].name) > 0)
             add("solution, " + solution.outputs[k].name, solution.outputs[k].value,
-                solution.outputs[k].value.through(),
                 [k](Solution& s, SlowFlow&) -> Series& { return s.outputs[k].value; });
 }
 
@@ -104,7 +105,7 @@ void PlacesInSolution::read_flow(const SlowFlow& flow) {
                  [k](Solution&, SlowFlow& f) -> Series& { return f.drift[k]; });
     for (std::size_t k = 0; k < flow.outputs.size(); ++k)
         if (judged_.count(flow.outputs[k].name) > 0)
-            add("solution, " + flow.outputs[k].name, flow.outputs[k].value, flow.outputs[k].value.through(),
+            add("solution, " + flow.outputs[k].name, flow.outputs[k].value,
                 [k](Solution&, SlowFlow& f) -> Series& { return f.outputs[k].value; });
 }
 

@@ -81,10 +81,8 @@ Status SymbolicMargins::keep_clear(const SymbolicIntegral& integral, Wide& reach
         for (const Wide& margin : of_transients(here.values, T)) result.push_back(margin);
         return result;
     };
-    const std::size_t margins = 4 * solution().layers().size() + corrections_.size() + transients_.size();
-    const std::vector<const char*> names(margins, "");
     const int samples = solution().layers().empty() ? broad_layer_samples : layer_samples;
-    return clear_of_layers(margins_at, names, reach, samples).status;
+    return clear_of_layers(margins_at, Nameless{}, reach, samples).status;
 }
 
 } // namespace resonform

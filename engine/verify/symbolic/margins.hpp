@@ -27,7 +27,8 @@ public:
 private:
     [[nodiscard]] const SymbolicSolution& solution() const { return *frame_.solution; }
 
-    // Quadratures in their exponents are T times what is integrated.
+    // The margins of exponentials at T. They are asked for before quadratures are tabulated, so a quadrature
+    // in an exponent is taken to be T times its integrand at T.
     [[nodiscard]] std::vector<Wide> of_transients(SymbolicValues<Wide> values, const Wide& T) const;
 
     const SymbolicFrame& frame_;
