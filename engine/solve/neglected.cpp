@@ -47,6 +47,19 @@ template <class Choice> Polynomial part_of(const Polynomial& p, const Choice& ch
     return Polynomial::from_terms(std::move(terms));
 }
 
+// Of what several modes may have in common, a phase or an exponent.
+struct Shared {
+    int weight = nothing; // the least of these modes
+    bool lasts = false;   // one of them does
+    bool decays = false;  // one of them does for certain
+
+    void join(const Shared& other) {
+        weight = std::min(weight, other.weight);
+        lasts = lasts || other.lasts;
+        decays = decays || other.decays;
+    }
+};
+
 } // namespace
 
 Neglected::Neglected(const Solution& richer, const TruncatedFormula& formula)
@@ -66,31 +79,28 @@ Neglected::Neglected(const Solution& richer, const TruncatedFormula& formula)
 }
 
 void Neglected::add_quantities() {
-    const auto add = [this](Kind kind, std::size_t index, int scale, bool lasts = true) {
-        quantities_.push_back({kind, index, scale, lasts ? formula_.time_power : 0, none});
+    const auto add = [this](Kind kind, std::size_t index, const Shared& of) {
+        quantities_.push_back({kind, index, of.weight, of.lasts ? formula_.time_power : 0,
+                               of.decays && !of.lasts ? formula_.order : formula_.truncation, none});
     };
-    std::vector<int> turning(flow_.phases.size(), nothing), decaying(flow_.decays.size(), nothing);
-    std::vector<bool> lasting(flow_.phases.size(), false), returning(flow_.decays.size(), false);
+    std::vector<Shared> phases(flow_.phases.size()), decays(flow_.decays.size());
     for (std::size_t k = 0; k < field_.modes.size(); ++k) {
         const FlowMode& mode = flow_.modes[k];
-        const int weight = ring_.generator(field_.modes[k].z).weight;
-        const bool lasts = !mode.decay || mode.passes;
-        for (const Kind kind : {Kind::modulus, Kind::argument}) add(kind, k, weight, lasts);
-        if (mode.decay) decaying[*mode.decay] = std::min(decaying[*mode.decay], weight);
-        if (mode.passes) returning[*mode.decay] = true;
-        if (!mode.phase) continue;
-        turning[*mode.phase] = std::min(turning[*mode.phase], weight);
-        if (lasts) lasting[*mode.phase] = true;
+        const Shared own{ring_.generator(field_.modes[k].z).weight, !mode.decay || mode.passes,
+                         mode.decays(field_.modes[k])};
+        for (const Kind kind : {Kind::modulus, Kind::argument}) add(kind, k, own);
+        if (mode.decay) decays[*mode.decay].join(own);
+        if (mode.phase) phases[*mode.phase].join(own);
     }
+    const Shared whole{0, true, false};
     for (std::size_t k = 0; k < field_.angles.size(); ++k) {
-        add(Kind::angle, k, 0);
-        turning[*flow_.angles[k].phase] = 0;
-        lasting[*flow_.angles[k].phase] = true;
+        add(Kind::angle, k, whole);
+        phases[*flow_.angles[k].phase].join(whole);
     }
-    for (std::size_t k = 0; k < turning.size(); ++k) add(Kind::phase, k, turning[k], lasting[k]);
-    for (std::size_t k = 0; k < decaying.size(); ++k) add(Kind::decay, k, decaying[k], returning[k]);
-    for (std::size_t k = 0; k < field_.slow.size(); ++k) add(Kind::slow, k, 0);
-    for (std::size_t k = 0; k < field_.drift.size(); ++k) add(Kind::drift, k, 0);
+    for (std::size_t k = 0; k < phases.size(); ++k) add(Kind::phase, k, phases[k]);
+    for (std::size_t k = 0; k < decays.size(); ++k) add(Kind::decay, k, decays[k]);
+    for (std::size_t k = 0; k < field_.slow.size(); ++k) add(Kind::slow, k, whole);
+    for (std::size_t k = 0; k < field_.drift.size(); ++k) add(Kind::drift, k, whole);
 }
 
 void Neglected::add_rates() {
@@ -130,7 +140,7 @@ void Neglected::add_rate(std::size_t on, int weight, const Polynomial& rate, boo
     const Zero zero = vanishing(ring_, rate);
     if (zero == Zero::yes) return;
     const int power = weight - quantities_[on].scale - quantities_[on].time_power;
-    if (weight > formula_.truncation && !exact) lower(quantities_[on].error, {power, zero == Zero::no});
+    if (weight > quantities_[on].through && !exact) lower(quantities_[on].error, {power, zero == Zero::no});
     for (std::size_t from = 0; from < quantities_.size(); ++from)
         if (const Zero rests = insensitive(rate, quantities_[from], &quantities_[on]); rests != Zero::yes)
             influences_.push_back({from, on, {power, rests == Zero::no}});

@@ -8,7 +8,8 @@
 // An error is followed from where it arises to the output, at each step with the lowest power that is not
 // zero:
 //   rates above weight M       act over eps^-p on the modulus or the argument of a mode, a phase, an angle, a
-//                              slow variable, a drift; over times of order 1 on a mode that decays;
+//                              slow variable, a drift; above N (M, where it may grow), over times of order 1,
+//                              on a mode that decays;
 //   the start above weight M   acts as it is;
 //   each of these              acts through the rates of others, over eps^-p once more, and through the map;
 //   the output above eps^N     is missing; a mean motion also lacks all oscillating terms.
@@ -53,6 +54,7 @@ private:
         std::size_t index;
         int scale;      // a rate of weight n moves it at eps^(n - scale)
         int time_power; // p; 0: it matters on times of order 1 only
+        int through;    // the largest weight of its rate that the formula has
         ErrorPower error;
     };
     struct Influence {

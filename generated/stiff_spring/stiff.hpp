@@ -18,8 +18,8 @@
 // a3 = u_y + I*v_y
 // a4 = conj(a3)
 // theta1' = 1
-// theta2' = K - K/(2*(K^2 + 2*K + 2)*(K^2 - 2*K + 2))*a1*a2*eps^2
-// chi' = -K + K^3/(4*(K^2 + 2*K + 2)*(K^2 - 2*K + 2))*a1*a2*eps^2
+// theta2' = K
+// chi' = -K
 // a1' = 3*I/8*a1^2*a2*eps
 //       - (2*K^3 + I*(3*K^4 - 2*K^2 + 8))/(16*(K^2 + 2*K + 2)*(K^2 - 2*K + 2))*a1^2*a2*eps^2
 //       - 51*I/256*a1^3*a2^2*eps^2
@@ -399,42 +399,41 @@ private:
         c.c_11 = Number(3) / Number(8) - w.k_18;
         c.c_12 = Number(0);
         c.c_13 = Number(1) / c.eps;
-        w.k_31 = c.eps * c.eps;
-        c.c_14 = Number(5) / Number(10004) * w.k_31;
-        c.c_15 = Number(125) / Number(5002) * w.k_31;
-        w.k_32 = Number(659316327) / Number(125900660128LL) * w.x_0 - Number(6576375) / Number(31475165032LL) * w.x_dot_0;
-        w.k_33 = w.x_0 * w.k_32 + Number(37732399) / Number(9907921584LL) * w.y_0 - Number(10107) / Number(25170064) * w.k_2 - Number(307525) / Number(50040008) * w.k_4;
-        w.k_34 = -Number(2802375) / Number(31475165032LL) * w.k_2 - Number(245) / Number(10004) * w.y_0 - Number(755) / Number(990396) * w.k_4;
-        w.k_35 = Number(13232603) / Number(9907921584LL) * w.y_0 - Number(627957) / Number(125900660128LL) * w.k_2 - Number(57425) / Number(50040008) * w.k_4;
-        w.k_36 = c.eps * (w.x_0 * (w.x_0 * w.k_33 - w.x_dot_0 * w.k_34) + w.k_2 * w.k_35);
+        c.c_14 = Number(10) * c.c_13;
+        c.c_15 = -Number(10) * c.c_13;
+        w.k_31 = Number(659316327) / Number(125900660128LL) * w.x_0 - Number(6576375) / Number(31475165032LL) * w.x_dot_0;
+        w.k_32 = w.x_0 * w.k_31 + Number(37732399) / Number(9907921584LL) * w.y_0 - Number(10107) / Number(25170064) * w.k_2 - Number(307525) / Number(50040008) * w.k_4;
+        w.k_33 = -Number(2802375) / Number(31475165032LL) * w.k_2 - Number(245) / Number(10004) * w.y_0 - Number(755) / Number(990396) * w.k_4;
+        w.k_34 = Number(13232603) / Number(9907921584LL) * w.y_0 - Number(627957) / Number(125900660128LL) * w.k_2 - Number(57425) / Number(50040008) * w.k_4;
+        w.k_35 = c.eps * (w.x_0 * (w.x_0 * w.k_32 - w.x_dot_0 * w.k_33) + w.k_2 * w.k_34);
         c.c_16 = Number(4951) / Number(10004);
         c.c_17 = Number(250) / Number(2501);
         c.c_18 = Number(51) / Number(10004);
-        w.k_37 = w.k_36 + w.x_0 * (c.c_17 * w.x_dot_0 - c.c_16 * w.x_0) - c.c_18 * w.k_2;
-        w.k_38 = c.eps * w.k_37;
-        c.u_y = w.y_0 + w.k_38;
-        w.k_39 = Number(596556323) / Number(125900660128LL) * w.x_0 - Number(46987425) / Number(15737582516LL) * w.x_dot_0;
-        w.k_40 = w.x_0 * w.k_39 + Number(12357) / Number(25170064) * w.k_2 + Number(13731) / Number(12510002) * w.y_0 + Number(38982899) / Number(9907921584LL) * w.k_4;
-        w.k_41 = Number(168705) / Number(15737582516LL) * w.k_2 + Number(235) / Number(990396) * w.y_0 - Number(255) / Number(10004) * w.k_4;
-        w.k_42 = Number(29963) / Number(25020004) * w.y_0 + Number(12972499) / Number(9907921584LL) * w.k_4 - Number(492993) / Number(125900660128LL) * w.k_2;
-        w.k_43 = c.eps * (w.x_0 * (w.x_0 * w.k_40 - w.x_dot_0 * w.k_41) + w.k_2 * w.k_42);
-        w.k_44 = Number(5051) / Number(10004) * w.x_0 - Number(5) / Number(2501) * w.x_dot_0;
-        w.k_45 = c.eps * (w.k_43 + w.x_0 * w.k_44 - Number(49) / Number(10004) * w.k_2);
-        c.v_y = w.k_45 - w.y_0 - w.k_3;
-        w.k_46 = Number(1) / Number(6560) * c.u_y - Number(9) / Number(6560) * c.v_y;
-        c.c_19 = c.eps * w.k_46;
-        w.k_47 = Number(9) / Number(6560) * c.u_y;
-        w.k_48 = Number(1) / Number(6560) * c.v_y;
-        c.c_20 = c.eps * (w.k_47 + w.k_48);
-        c.c_21 = c.eps * (-w.k_47 - w.k_48);
+        w.k_36 = w.k_35 + w.x_0 * (c.c_17 * w.x_dot_0 - c.c_16 * w.x_0) - c.c_18 * w.k_2;
+        w.k_37 = c.eps * w.k_36;
+        c.u_y = w.y_0 + w.k_37;
+        w.k_38 = Number(596556323) / Number(125900660128LL) * w.x_0 - Number(46987425) / Number(15737582516LL) * w.x_dot_0;
+        w.k_39 = w.x_0 * w.k_38 + Number(12357) / Number(25170064) * w.k_2 + Number(13731) / Number(12510002) * w.y_0 + Number(38982899) / Number(9907921584LL) * w.k_4;
+        w.k_40 = Number(168705) / Number(15737582516LL) * w.k_2 + Number(235) / Number(990396) * w.y_0 - Number(255) / Number(10004) * w.k_4;
+        w.k_41 = Number(29963) / Number(25020004) * w.y_0 + Number(12972499) / Number(9907921584LL) * w.k_4 - Number(492993) / Number(125900660128LL) * w.k_2;
+        w.k_42 = c.eps * (w.x_0 * (w.x_0 * w.k_39 - w.x_dot_0 * w.k_40) + w.k_2 * w.k_41);
+        w.k_43 = Number(5051) / Number(10004) * w.x_0 - Number(5) / Number(2501) * w.x_dot_0;
+        w.k_44 = c.eps * (w.k_42 + w.x_0 * w.k_43 - Number(49) / Number(10004) * w.k_2);
+        c.v_y = w.k_44 - w.y_0 - w.k_3;
+        w.k_45 = Number(1) / Number(6560) * c.u_y - Number(9) / Number(6560) * c.v_y;
+        c.c_19 = c.eps * w.k_45;
+        w.k_46 = Number(9) / Number(6560) * c.u_y;
+        w.k_47 = Number(1) / Number(6560) * c.v_y;
+        c.c_20 = c.eps * (w.k_46 + w.k_47);
+        c.c_21 = c.eps * (-w.k_46 - w.k_47);
         c.c_22 = Number(3) / Number(32) * c.eps;
         c.c_23 = Number(1) / Number(2);
-        w.k_49 = -Number(1) / Number(9760) * c.u_y - Number(11) / Number(9760) * c.v_y;
-        c.c_24 = c.eps * w.k_49;
-        w.k_50 = Number(11) / Number(9760) * c.u_y;
-        w.k_51 = Number(1) / Number(9760) * c.v_y;
-        c.c_25 = c.eps * (w.k_51 - w.k_50);
-        c.c_26 = c.eps * (w.k_50 - w.k_51);
+        w.k_48 = -Number(1) / Number(9760) * c.u_y - Number(11) / Number(9760) * c.v_y;
+        c.c_24 = c.eps * w.k_48;
+        w.k_49 = Number(11) / Number(9760) * c.u_y;
+        w.k_50 = Number(1) / Number(9760) * c.v_y;
+        c.c_25 = c.eps * (w.k_50 - w.k_49);
+        c.c_26 = c.eps * (w.k_49 - w.k_50);
         c.c_27 = Number(1) / Number(64) * c.eps;
         c.c_28 = Number(3) / Number(64) * c.eps;
         c.c_29 = Number(1) / Number(4) * c.eps;
@@ -443,29 +442,30 @@ private:
         c.c_32 = Number(125) / Number(2501) * c.eps;
         c.c_33 = Number(125) / Number(5002) * c.eps;
         c.c_34 = Number(1225) / Number(5002) * c.eps;
-        w.k_52 = hypot(c.u_x, c.v_x);
-        w.k_53 = hypot(c.u_y, c.v_y);
-        w.k_54 = hypot(w.k_52, w.k_53);
+        w.k_51 = hypot(c.u_x, c.v_x);
+        w.k_52 = hypot(c.u_y, c.v_y);
+        w.k_53 = hypot(w.k_51, w.k_52);
         c.c_35 = resonform::math::number<Number>({7.888609052210118e-31});
-        w.k_55 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
-        w.k_56 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
-        w.k_57 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
-        w.k_58 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
-        w.k_59 = w.k_52 * w.k_52;
-        w.k_60 = w.k_52 * w.k_53 * w.k_55 + w.k_52 * w.k_53 * w.k_56 + w.k_52 * w.k_53 * w.k_57 + w.k_52 * w.k_53 * w.k_58 + c.c_2 * (w.k_59 * w.k_52);
-        c.c_36 = w.k_54 + c.c_35 - Number(2) * c.eps * w.k_60;
+        w.k_54 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        w.k_55 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
+        w.k_56 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        w.k_57 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
+        w.k_58 = w.k_51 * w.k_51;
+        w.k_59 = w.k_51 * w.k_52 * w.k_54 + w.k_51 * w.k_52 * w.k_55 + w.k_51 * w.k_52 * w.k_56 + w.k_51 * w.k_52 * w.k_57 + c.c_2 * (w.k_58 * w.k_51);
+        c.c_36 = w.k_53 + c.c_35 - Number(2) * c.eps * w.k_59;
         c.c_37 = hypot(Number(Number(5) / Number(41)), Number(-Number(25) / Number(164)));
         c.c_38 = hypot(Number(Number(1) / Number(4)), Number(-Number(1) / Number(4)));
         c.c_39 = hypot(Number(Number(15) / Number(122)), Number(-Number(25) / Number(244)));
-        w.k_61 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
-        w.k_62 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
-        w.k_63 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
-        w.k_64 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
-        w.k_65 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
-        w.k_66 = w.k_53 * w.k_61 * w.k_59 + w.k_53 * w.k_62 * w.k_59 + w.k_53 * w.k_63 * w.k_59 + w.k_53 * w.k_64 * w.k_59 + w.k_53 * w.k_65 * w.k_59;
-        w.k_67 = c.c_37 * w.k_59 + c.c_38 * w.k_59 + c.c_39 * w.k_59 + c.eps * w.k_66;
-        c.c_40 = w.k_54 + c.c_35 - Number(2) * c.eps * w.k_67;
-        w.k_68 = w.k_31 * w.k_31;
+        w.k_60 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
+        w.k_61 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
+        w.k_62 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
+        w.k_63 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
+        w.k_64 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
+        w.k_65 = w.k_52 * w.k_60 * w.k_58 + w.k_52 * w.k_61 * w.k_58 + w.k_52 * w.k_62 * w.k_58 + w.k_52 * w.k_63 * w.k_58 + w.k_52 * w.k_64 * w.k_58;
+        w.k_66 = c.c_37 * w.k_58 + c.c_38 * w.k_58 + c.c_39 * w.k_58 + c.eps * w.k_65;
+        c.c_40 = w.k_53 + c.c_35 - Number(2) * c.eps * w.k_66;
+        w.k_67 = c.eps * c.eps;
+        w.k_68 = w.k_67 * w.k_67;
         w.k_69 = c.u_x * c.u_x;
         w.k_70 = c.v_x * c.v_x;
         w.k_71 = Number(25) / Number(256) * w.k_69 + Number(43) / Number(128) * w.k_70 + Number(67314235) / Number(503602640512LL) * c.u_y + Number(199271675) / Number(251801320256LL) * c.v_y + Number(6227) / Number(80032);
@@ -497,7 +497,7 @@ private:
         w.k_93 = c.eps * (c.v_x * w.k_87 + c.u_x * w.k_90) + c.v_x * w.k_91 + c.u_x * w.k_92;
         w.k_94 = w.k_17 + c.eps * w.k_82;
         w.k_95 = w.k_30 + c.eps * w.k_93;
-        c.c_41 = w.k_1 + w.k_2 + w.k_68 + w.k_31 * (w.k_82 * w.k_82) + w.k_31 * (w.k_93 * w.k_93) - Number(4) * (w.k_94 * w.k_94 + w.k_95 * w.k_95);
+        c.c_41 = w.k_1 + w.k_2 + w.k_68 + w.k_67 * (w.k_82 * w.k_82) + w.k_67 * (w.k_93 * w.k_93) - Number(4) * (w.k_94 * w.k_94 + w.k_95 * w.k_95);
         w.k_96 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
         w.k_97 = c.u_x * w.k_96 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_70 - Number(75) / Number(20008) * c.v_y;
         w.k_98 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_70;
@@ -511,9 +511,9 @@ private:
         w.k_106 = c.eps * (c.u_x * (c.u_x * w.k_103 + c.v_x * w.k_104) + w.k_70 * w.k_105);
         w.k_107 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
         w.k_108 = w.k_106 + c.u_x * w.k_107 + Number(49) / Number(10004) * w.k_70;
-        w.k_109 = w.k_38 + c.eps * w.k_101;
-        w.k_110 = w.k_45 + c.eps * w.k_108 - w.y_0 - w.k_3 - w.k_4;
-        c.c_42 = w.k_9 + w.k_68 + w.y_0 * w.y_0 + w.k_31 * (w.k_101 * w.k_101) + w.k_31 * (w.k_108 * w.k_108) - Number(4) * (w.k_109 * w.k_109 + w.k_110 * w.k_110);
+        w.k_109 = w.k_37 + c.eps * w.k_101;
+        w.k_110 = w.k_44 + c.eps * w.k_108 - w.y_0 - w.k_3 - w.k_4;
+        c.c_42 = w.k_9 + w.k_68 + w.y_0 * w.y_0 + w.k_67 * (w.k_101 * w.k_101) + w.k_67 * (w.k_108 * w.k_108) - Number(4) * (w.k_109 * w.k_109 + w.k_110 * w.k_110);
         c.c_43 = Number(9) / Number(16) * c.eps;
         c.c_44 = Number(2) * c.eps;
     }
@@ -542,8 +542,8 @@ private:
         keep(from.c_11, c.c_11, "c_11 in v_x");
         keep(from.c_12, c.c_12, "c_12");
         keep(from.c_13, c.c_13, "c_13 in theta_1");
-        keep(from.c_14, c.c_14, "c_14 in theta_2_dot");
-        keep(from.c_15, c.c_15, "c_15 in chi_dot");
+        keep(from.c_14, c.c_14, "c_14 in theta_2");
+        keep(from.c_15, c.c_15, "c_15 in chi");
         keep(from.c_16, c.c_16, "c_16 in y_1");
         keep(from.c_17, c.c_17, "c_17 in y_1");
         keep(from.c_18, c.c_18, "c_18 in y_1");
@@ -637,20 +637,14 @@ private:
 
     // dtheta_2/dT
     template <class Number> static Number theta_2_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
-        const Number v_x = tables[1];
-        const Number u_x = tables[0];
-        const Number theta_2_dot = Number(10) - c.c_14 * (u_x * u_x) - c.c_14 * (v_x * v_x);
-        return c.c_13 * theta_2_dot;
+            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+        return c.c_14;
     }
 
     // dchi/dT
     template <class Number> static Number chi_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
-        const Number v_x = tables[1];
-        const Number u_x = tables[0];
-        const Number chi_dot = c.c_15 * (u_x * u_x) + c.c_15 * (v_x * v_x) - Number(10);
-        return c.c_13 * chi_dot;
+            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+        return c.c_15;
     }
 
     // What differs from call to call.
@@ -700,12 +694,6 @@ private:
 
     std::array<Real, 2> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
-    }
-
-    template <class Number> static std::array<Number, 2> widened(const std::array<Real, 2>& values) {
-        std::array<Number, 2> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -773,7 +761,7 @@ private:
                 start = {c.c_12, c.c_12, c.c_12};
             }
             std::array<Wide, 3> operator()(const Wide& T) const {
-                return {theta_1_rate(c, T), theta_2_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T)))), chi_rate(c, T, widened<Wide>(of.look_up_1(static_cast<Real>(T))))};
+                return {theta_1_rate(c, T), theta_2_rate(c, T), chi_rate(c, T)};
             }
         };
         template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
@@ -781,7 +769,7 @@ private:
 
     Status prepare_tables() const noexcept {
         return shared_.prepare([this](resonform::kernel::Tables& tables) {
-            return resonform::Tabulated::build(*this, eps_, interval_.reach(), true, tables);
+            return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
         });
     }
     const resonform::kernel::View& view() const noexcept { return shared_.view(); }
@@ -802,7 +790,7 @@ private:
         static constexpr bool flow = true, nested = true, steady = false, packs = false;
         static constexpr std::array<std::size_t, 1> levels{2};
         static constexpr std::size_t columns = 2, angles = 3;
-        static constexpr std::array<bool, 3> rounded{false, true, true};
+        static constexpr std::array<bool, 3> rounded{false, false, false};
         static constexpr std::array<bool, 3> decays{false, false, true};
         static constexpr std::array<unsigned long long, 3> fades{0, 4, 0};
         using Columns = std::array<Real, 2>;
@@ -829,7 +817,7 @@ private:
                 start = {c.c_12, c.c_12, c.c_12};
             }
             std::array<Number, 3> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_1_rate(c, T), theta_2_rate(c, T, widened<Number>(row)), chi_rate(c, T, widened<Number>(row))};
+                return {theta_1_rate(c, T), theta_2_rate(c, T), chi_rate(c, T)};
             }
         };
     };
@@ -881,14 +869,14 @@ private:
                 {theta_1_.build(theta_1_rates, wide.c_12, eps, reach), "theta_1"}, reach);
             failed.status != Status::ok)
             return failed;
-        const auto theta_2_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_2_rate(wide, T, widened<Wide>(look_up_1(static_cast<Real>(T))))}; };
+        const auto theta_2_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_2_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {theta_2_.build(theta_2_rates, wide.c_12, eps, reach, true, true), "theta_2"}, reach);
+                {theta_2_.build(theta_2_rates, wide.c_12, eps, reach, false, true), "theta_2"}, reach);
             failed.status != Status::ok)
             return failed;
-        const auto chi_rates = [&](const Wide& T) { return std::array<Wide, 1>{chi_rate(wide, T, widened<Wide>(look_up_1(static_cast<Real>(T))))}; };
+        const auto chi_rates = [&](const Wide& T) { return std::array<Wide, 1>{chi_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {chi_.build(chi_rates, wide.c_12, eps, reach, true), "chi"}, reach);
+                {chi_.build(chi_rates, wide.c_12, eps, reach), "chi"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

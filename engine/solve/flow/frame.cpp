@@ -55,7 +55,7 @@ class Framing {
 public:
     Framing(const Normalization& normalization, const SolveOptions& options)
         : normal_form_(normalization.normal_form), field_(*normal_form_.field), ring_(*field_.ring),
-          through_(options.truncation) {
+          through_(options.truncation), order_(options.order) {
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             FlowMode mode;
             mode.grows = resonform::grows(field_, k);
@@ -102,7 +102,7 @@ private:
         };
         for (std::size_t k = 0; k < field_.modes.size(); ++k) {
             if (!is_damped(k) || modes_[k].is_left_out) continue;
-            const Polynomial rate = total(normal_form_.mode[k]);
+            const Polynomial rate = through(through_of(k), normal_form_.mode[k]);
             for (const Term& t : rate.terms())
                 if (ring_.exponent(t.monomial, field_.modes[k].z) != 1 || degrees(t.monomial) != 1)
                     return false;
@@ -154,7 +154,7 @@ private:
             const Mode& mode = field_.modes[k];
             FlowMode& framed = flow.modes.emplace_back(modes_[k]);
             if (framed.is_left_out) continue;
-            const Polynomial rate = total(normal_form_.mode[k]);
+            const Polynomial rate = through(through_of(k), normal_form_.mode[k]);
             const bool all = is_damped(k) ? alone_ : taken == Turning::whole && !mode.is_real();
             Polynomial own = all ? without(rate, mode.z) : field_.eigenvalue(mode);
             if (taken == Turning::fast && !all && !is_damped(k) && !mode.is_real())
@@ -181,10 +181,17 @@ private:
         return flow;
     }
 
-    // On the manifold: without the modes that are left out.
-    [[nodiscard]] Polynomial total(const Series& series) const {
-        return without_left_out(field_, modes_, series.total(through_));
+    // The weight through which the rate of a mode is needed: of one that decays N, for its rate acts over
+    // times of order 1 only. (What grows, or may, is followed further than that.)
+    [[nodiscard]] int through_of(std::size_t k) const {
+        return modes_[k].decays(field_.modes[k]) ? order_ : through_;
     }
+
+    // On the manifold: without the modes that are left out.
+    [[nodiscard]] Polynomial through(int weight, const Series& series) const {
+        return without_left_out(field_, modes_, series.total(weight));
+    }
+    [[nodiscard]] Polynomial total(const Series& series) const { return through(through_, series); }
 
     [[nodiscard]] Series cut(const Polynomial& rate) const { return Series::split(ring_, rate, through_); }
 
@@ -233,7 +240,7 @@ private:
     const NormalForm& normal_form_;
     const GradedField& field_;
     const Ring& ring_;
-    int through_;
+    int through_, order_;
     std::vector<FlowMode> modes_; // without phase, decay and rate
     bool alone_ = true;
 };

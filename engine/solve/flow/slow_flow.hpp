@@ -42,6 +42,8 @@ struct FlowMode {
     bool passes = false; // either, and Re lambda may vanish (solve/flow/passage.hpp)
     bool is_left_out = false; // a damped or growing mode, by SolveOptions: in no output and no rate
     bool is_at_zero = false;  // by [start], and left out therefore
+    // For certain, so that its rate matters on times of order 1 only: through weight N, that of the term.
+    [[nodiscard]] bool decays(const Mode& mode) const { return mode.is_damped() && !grows && !either; }
     // -Re lambda of a damped mode, Re lambda of one that grows: > 0 as long as it does. Of one that does
     // either: it keeps the sign of the start, unless it passes.
     [[nodiscard]] Polynomial leading_rate(const Mode& mode) const {

@@ -186,9 +186,10 @@ private:
     using Verdicts = std::vector<std::vector<Verdict>>; // of each output, after each rung
 
     [[nodiscard]] bool fails(const Verdicts& found) const {
-        const std::size_t n = found.size() - 1;
-        for (std::size_t k = 0; k < found[n].size(); ++k)
-            if (found[n][k] == Verdict::fail && honest_[n][k] != Verdict::fail) return true;
+        const std::vector<Verdict>&here = found.back(),
+              &honestly = honest_[std::min(found.size(), honest_.size()) - 1];
+        for (std::size_t k = 0; k < here.size(); ++k)
+            if (here[k] == Verdict::fail && honestly[k] != Verdict::fail) return true;
         return false;
     }
 
@@ -199,12 +200,20 @@ private:
         Descent descent(trial, scene_, solution, result);
         descent.know(roundings);
         Verdicts found;
-        for (const Rational& eps : scene_.verify.eps) {
-            descent.along({eps});
+        const auto note = [&] {
             weigh_defects(result);
             found.emplace_back();
             for (const OutputVerdict& output : result.outputs) found.back().push_back(output.verdict);
-            if (enough(found)) break;
+            return enough(found);
+        };
+        bool ends = false;
+        for (const Rational& eps : scene_.verify.eps) {
+            descent.along({eps});
+            if ((ends = note())) break;
+        }
+        if (!ends && !scene_.verify.eps_given) {
+            descent.further();
+            note();
         }
         roundings = descent.roundings();
         return found;
