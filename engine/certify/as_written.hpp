@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algebra/number/error.hpp"
-#include "certify/program.hpp"
+#include "certify/points/program.hpp"
 #include "model/system/system_file.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/diagnostic.hpp"

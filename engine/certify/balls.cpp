@@ -3,7 +3,7 @@
 
 #include "algebra/number/taylor_law.hpp"
 #include "algebra/series/number_domain.hpp"
-#include "certify/readings.hpp"
+#include "certify/points/readings.hpp"
 
 #include <stdexcept>
 #include <utility>

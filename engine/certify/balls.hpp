@@ -5,7 +5,7 @@
 #pragma once
 
 #include "algebra/number/magnitude.hpp"
-#include "certify/plan.hpp"
+#include "certify/points/plan.hpp"
 
 #include <random>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "algebra/number/modular.hpp"
 #include "certify/hamiltonian.hpp"
 #include "certify/inner_product.hpp"
-#include "certify/readings.hpp"
+#include "certify/points/readings.hpp"
 
 #include <algorithm>
 #include <bit>

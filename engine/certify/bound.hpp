@@ -18,8 +18,8 @@
 // certificate with bounds of degree and height instead of numbers.
 #pragma once
 
-#include "certify/plan.hpp"
-#include "certify/survey.hpp"
+#include "certify/points/plan.hpp"
+#include "certify/points/survey.hpp"
 
 namespace resonform {
 

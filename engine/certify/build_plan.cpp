@@ -94,6 +94,11 @@ std::vector<CertificatePlan::Reading> readings_of(const CertificatePlan& plan) {
 
 } // namespace
 
+void settle_readings(CertificatePlan& plan) {
+    plan.needed = needed_slots(plan);
+    plan.readings = readings_of(plan);
+}
+
 CertificatePlan plan_certificate(const GradedField& field, const HamiltonianForm* hamiltonian) {
     CertificatePlan plan;
     CertificateRoots roots(field);
@@ -102,8 +107,7 @@ CertificatePlan plan_certificate(const GradedField& field, const HamiltonianForm
     add_residuals(plan, field.system(), jets, roots);
     if (hamiltonian != nullptr) add_canonical_checks(plan, field, *hamiltonian, jets, roots);
     plan.unknown = jets.unknown;
-    plan.needed = needed_slots(plan);
-    plan.readings = readings_of(plan);
+    settle_readings(plan);
     return plan;
 }
 
@@ -114,8 +118,7 @@ CertificatePlan plan_frequencies(const GradedField& field) {
         plan.omega.push_back(plan.program.value(m.omega));
     }
     for (const AngleVariable& a : field.angles) plan.angle.push_back(plan.program.value(a.frequency));
-    plan.needed = needed_slots(plan);
-    plan.readings = readings_of(plan);
+    settle_readings(plan);
     return plan;
 }
 

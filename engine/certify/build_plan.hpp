@@ -2,7 +2,7 @@
 // Writes the equations of the file into the plan of a certificate.
 #pragma once
 
-#include "certify/plan.hpp"
+#include "certify/points/plan.hpp"
 
 namespace resonform {
 
@@ -12,5 +12,8 @@ CertificatePlan plan_certificate(const GradedField& field, const HamiltonianForm
 
 // A plan of the frequencies of modes and angles only; it checks nothing.
 CertificatePlan plan_frequencies(const GradedField& field);
+
+// Sets `needed` and `readings` from all that the plan checks and notes.
+void settle_readings(CertificatePlan& plan);
 
 } // namespace resonform

@@ -7,9 +7,10 @@
 #include "certify/build_plan.hpp"
 #include "certify/hamiltonian.hpp"
 #include "certify/lie.hpp"
-#include "certify/point.hpp"
+#include "certify/points/at_points.hpp"
+#include "certify/points/point.hpp"
+#include "certify/points/source.hpp"
 #include "certify/scan.hpp"
-#include "certify/source.hpp"
 #include "model/text/diagnostic.hpp"
 
 #include <fmt/format.h>
@@ -22,10 +23,6 @@
 namespace resonform {
 
 namespace {
-
-constexpr int fewest_points = 2;
-constexpr double wanted_error = 1e-30;
-constexpr int unlucky_points_allowed = 64;
 
 using Matrix = std::vector<std::vector<Residue>>;
 
@@ -55,40 +52,10 @@ void require_known_rates(const CertificatePlan& plan, const PointRun& run, std::
                                       {}});
 }
 
-// The first check that fails at a point, by stage and then by weight; "" if all hold.
-std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
-                         const System& system, int order) {
-    const VanishingCheck* worst = nullptr;
-    int lowest = 0;
-    for (const VanishingCheck& check : plan.checks) {
-        if (worst != nullptr && worst->stage < check.stage) continue;
-        const int last = check.weight + (check.above_order ? order : 0);
-        int weight = 0;
-        while (weight <= last && run(check.slot, weight, n) == 0) ++weight;
-        if (weight > last || (worst != nullptr && worst->stage == check.stage && weight >= lowest)) continue;
-        worst = &check;
-        lowest = weight;
-    }
-    return worst == nullptr ? ""
-                            : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
-}
-
 FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
                                const Point& point) {
     return {point.field, at_origin(run, n, plan.growth), at_origin(run, n, plan.omega),
             at_origin(run, n, plan.angle), point.values};
-}
-
-int points_needed(double bound, const System& system) {
-    if (!(bound < 0.1))
-        refuse(
-            Reason::size,
-            {"one random point of the certificate leaves an error probability below 0.1",
-             fmt::format("{:.2g}", bound),
-             "ask for a lower order, or write fewer functions, powers and quotients inside of one another: "
-             "each multiplies the degree that the bound follows from",
-             whole_file(system.file)});
-    return std::max(fewest_points, static_cast<int>(std::ceil(std::log(wanted_error) / std::log(bound))));
 }
 
 // Part (a); the frequencies at the points are kept for part (b).
@@ -106,42 +73,23 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
     certificate.error_probability = wanted_error;
     PointSampler sampler(*field.ring, seed);
     std::string complaint;
-    int unlucky = 0;
-    while (certificate.points < points) {
-        try {
-            std::vector<Point> batch;
-            while (batch.size() <
-                   std::min(static_cast<std::size_t>(points - certificate.points), Source::together))
-                batch.push_back(sampler.next());
-            source.go_to(batch.front());
-            const PointReadings readings(plan, source.normal_form(), source.map(), batch, through);
-            const PointRun run(plan, *field.ring, readings, batch, through);
-            for (std::size_t n = 0; n < batch.size(); ++n) {
-                require_known_rates(plan, run, n, *field.ring, through);
-                // A residual that vanishes through M says that the highest derivatives are right through M
-                // only if they are determined at weight 0. A non-zero determinant at one point proves it.
-                Matrix jacobian = at_origin(run, n, plan.jacobian);
-                if (reduce_rows(jacobian, jacobian.size(), Residues{batch[n].field})->size() <
-                    jacobian.size())
-                    throw UnluckyPoint();
-                std::string here = complaint_of(plan, run, n, field.system(), shape.through);
-                if (here.empty() && shape.hamiltonian)
-                    here = generator_complaint(plan, source.normal_form(), run, n, batch[n]);
-                if (complaint.empty()) complaint = here;
-                samples.push_back(frequencies_of(plan, run, n, batch[n]));
-                certificate.primes.push_back(batch[n].field.prime());
-                ++certificate.points;
-            }
-        } catch (const UnluckyPoint&) {
-            if (++unlucky > unlucky_points_allowed)
-                refuse(
-                    {"at the origin no denominator of the equations vanishes and their highest derivatives "
-                     "are determined",
-                     field.system().name,
-                     "divide the equations by what vanishes at the origin",
-                     {}});
-        }
-    }
+    const auto draw = [&] { return sampler.next(); };
+    at_random_points(
+        plan, source, draw, points, through, [&](const PointRun& run, std::size_t n, const Point& point) {
+            require_known_rates(plan, run, n, *field.ring, through);
+            // A residual that vanishes through M says that the highest derivatives are right through M only
+            // if they are determined at weight 0. A non-zero determinant at one point proves it.
+            Matrix jacobian = at_origin(run, n, plan.jacobian);
+            if (reduce_rows(jacobian, jacobian.size(), Residues{point.field})->size() < jacobian.size())
+                throw UnluckyPoint();
+            std::string here = complaint_of(plan, run, n, field.system(), shape.through);
+            if (here.empty() && shape.hamiltonian)
+                here = generator_complaint(plan, source.normal_form(), run, n, point);
+            if (complaint.empty()) complaint = here;
+            samples.push_back(frequencies_of(plan, run, n, point));
+            certificate.primes.push_back(point.field.prime());
+            ++certificate.points;
+        });
     if (const auto root = sampler.dependent_root())
         refuse(
             {"the roots of the ring are independent of each other", field.ring->generator(*root).name,

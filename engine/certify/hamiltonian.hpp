@@ -12,7 +12,7 @@
 #pragma once
 
 #include "certify/flow.hpp"
-#include "certify/plan.hpp"
+#include "certify/points/plan.hpp"
 
 namespace resonform {
 

@@ -3,7 +3,7 @@
 
 #include "algebra/ring/fractions.hpp"
 #include "certify/hamiltonian.hpp"
-#include "certify/reader.hpp"
+#include "certify/points/reader.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // Lie series that it is compared with.
 #pragma once
 
-#include "certify/point.hpp"
+#include "certify/points/point.hpp"
 
 #include <string>
 

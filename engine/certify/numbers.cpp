@@ -4,7 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "certify/balls.hpp"
 #include "certify/build_plan.hpp"
-#include "certify/point.hpp"
+#include "certify/points/point.hpp"
 #include "certify/scan.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "certify/scan.hpp"
 
 #include "certify/inner_product.hpp"
-#include "certify/reader.hpp"
+#include "certify/points/reader.hpp"
 #include "certify/resonance.hpp"
 
 #include <fmt/format.h>

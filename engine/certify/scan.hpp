@@ -2,8 +2,8 @@
 // Part (b) of the certificate: the conditions on the exponents of normal form and map.
 #pragma once
 
+#include "certify/points/survey.hpp"
 #include "certify/resonance.hpp"
-#include "certify/survey.hpp"
 #include "normalize/recursion/normal_form.hpp"
 
 #include <string>

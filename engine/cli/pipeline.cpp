@@ -14,6 +14,7 @@
 #include "normalize/recursion/numbers.hpp"
 #include "normalize/recursion/poincare.hpp"
 #include "solve/flow/solve_options.hpp"
+#include "solve/flow_certificate.hpp"
 #include "solve/solve.hpp"
 #include "solve/time_scale.hpp"
 #include "solve/truncation.hpp"
@@ -92,10 +93,11 @@ auto derived_and_checked(const Expanded& expanded, int through, Watch& watch, De
     return result;
 }
 
-void require(const Certificate& certificate) {
-    if (!certificate.holds)
+// complaint: "" if it holds.
+void require_certificate(const std::string& of, const std::string& complaint) {
+    if (!complaint.empty())
         throw Error(ErrorKind::check_failed,
-                    {"the certificate of the normal form does not hold", certificate.complaint, "", {}});
+                    {"the certificate of the " + of + " does not hold", complaint, "", {}});
 }
 
 } // namespace
@@ -119,7 +121,7 @@ std::shared_ptr<const Normalization> normalize_with_certificate(const Expanded& 
 std::shared_ptr<const Normalization> normalize_certified(const Expanded& expanded, int through,
                                                          Watch& watch) {
     auto normalization = normalize_with_certificate(expanded, through, watch);
-    require(normalization->certificate);
+    require_certificate("normal form", normalization->certificate.complaint);
     return normalization;
 }
 
@@ -130,7 +132,7 @@ GraphNormalization normalize_in_graph_certified(const Expanded& expanded, int th
             return std::make_shared<GraphNormalization>(normalize_in_graph(expanded.field, through, options));
         },
         [](GraphNormalization& n) { n.result.certificate = certify(n); });
-    require(normalization->result.certificate);
+    require_certificate("normal form", normalization->result.certificate.complaint);
     return *normalization;
 }
 
@@ -139,6 +141,7 @@ Solution solve_under(Watch& watch, std::shared_ptr<const Normalization> normaliz
     watch.go_on_with("the solution");
     Laps laps;
     Solution solution = solve(std::move(normalization), options);
+    require_certificate("slow flow", flow_complaint(solution));
     laps.done("solution");
     return solution;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The certificate on normal forms that were found by hand, on the pendulum, and on what it must refuse.
-#include "certify/reader.hpp"
+#include "certify/points/reader.hpp"
 #include "normalize/certified.hpp"
 
 #include <gtest/gtest.h>

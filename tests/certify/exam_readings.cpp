@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What certificates read of the pendulum's series: values at points, and what one pass over monomials tells.
 #include "certify/build_plan.hpp"
-#include "certify/point.hpp"
-#include "certify/survey.hpp"
+#include "certify/points/point.hpp"
+#include "certify/points/survey.hpp"
 #include "normalize/certified.hpp"
 #include "normalize/recursion/poincare.hpp"
 

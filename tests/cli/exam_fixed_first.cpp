@@ -73,8 +73,8 @@ TEST_F(FixedFirst, SignsAndDivisorsThatAreNotProved) {
 
 TEST_F(FixedFirst, DampingAndRatesWhoseSignIsFixed) {
     const std::string start = "x = \"eps\"\n\"x'\" = 0";
-    // y decays, or grows.
-    const std::vector<Line> lines = {{"x", "fast", "x'' + x + x*y = 0", start},
+    // y decays, or grows; its rate has one weight only. (Of what decays, the rate is cut at N.)
+    const std::vector<Line> lines = {{"x", "fast", "x'' + x + x^3 = 0", start},
                                      {"y", "fast", "y' = -k*y + x^2", "y = \"eps\""}};
     files("k = { nonzero = true }\n", lines, "k = 2\n");
     const Json fixed = values();

@@ -42,6 +42,8 @@ public:
         return sum(std::vector<Polynomial>(parts_.begin(), parts_.begin() + std::max(last + 1, 0)));
     }
 
+    friend bool operator==(const BasicSeries&, const BasicSeries&) = default;
+
 private:
     std::vector<Part> parts_;
 };

@@ -3,12 +3,15 @@
 
 #include "certify/certificate.hpp"
 #include "normalize/recursion/named_series.hpp"
+#include "solve/flow/named_parts.hpp"
+#include "solve/flow_certificate.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <utility>
 
 namespace resonform {
 
@@ -41,6 +44,21 @@ std::vector<Lie> lies_in_formulas(const Normalization& normalization) {
     return lies;
 }
 
+std::vector<Lie> lies_in_flow(const Solution& solution) {
+    Solution lying = solution;
+    std::vector<Lie> lies;
+    for (const PartOfFlow& part : named_parts(*solution.flow))
+        for (std::size_t k = 0; k < part.truth.size(); ++k) {
+            SlowFlow flow = *solution.flow;
+            part.put(flow, part.truth - Rational(2) * Polynomial::from_terms({part.truth.terms()[k]}));
+            lying.flow = std::make_shared<const SlowFlow>(std::move(flow));
+            Lie lie{"", fmt::format("solution, {}, term {}", part.name, k + 1), "sign"};
+            if (!flow_complaint(lying).empty()) lie.caught_by = "certificate";
+            lies.push_back(std::move(lie));
+        }
+    return lies;
+}
+
 Lies liars(const std::shared_ptr<const FirstOrderSystem>& system, const Scene& scene,
            const Solution& solution, const VerifyOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
@@ -56,7 +74,11 @@ Lies liars(const std::shared_ptr<const FirstOrderSystem>& system, const Scene& s
     };
     lies.all = lies_in_formulas(*solution.normalization);
     tell("normal form and map");
-    lies_in_solution(system, scene, solution, options, lies);
+    if (solution.flow) {
+        const std::vector<Lie> told_by_flow = lies_in_flow(solution);
+        lies.all.insert(lies.all.end(), told_by_flow.begin(), told_by_flow.end());
+    } else
+        lies_in_solution(system, scene, solution, options, lies);
     tell("the solution");
     lies_in_emitted(scene, solution, options, lies);
     tell("emitted code");

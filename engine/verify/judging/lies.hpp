@@ -48,9 +48,12 @@ std::vector<Lie> lies_in_formulas(const Normalization& normalization);
 // effect is that at the points of the check.
 void lies_in_emitted(const Scene& scene, const Solution& solution, const VerifyOptions& options, Lies& lies);
 
-// Changes the sign of each coefficient in the solution: in its outputs and in the rates and quadratures
-// behind them. The ladder is asked, with interpreted code, and stops at the first rung at which an output
-// fails.
+// In every coefficient of a slow flow, likewise (solve/flow_certificate.hpp).
+std::vector<Lie> lies_in_flow(const Solution& solution);
+
+// Changes the sign of each coefficient of a solution in closed form: in its outputs and in the rates and
+// quadratures behind them. The ladder is asked, with interpreted code, and stops at the first rung at which
+// an output fails.
 void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, const Scene& scene,
                       const Solution& solution, const VerifyOptions& options, Lies& lies);
 

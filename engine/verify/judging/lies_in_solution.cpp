@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
-#include "solve/neglected.hpp"
-#include "verify/estimate/next_weight.hpp"
 #include "verify/judging/descent.hpp"
 #include "verify/judging/emitted_judge.hpp"
 #include "verify/judging/guarantee.hpp"
@@ -29,85 +27,37 @@ namespace {
 struct PlaceInSolution {
     std::string name;
     Polynomial truth;
-    std::function<void(Solution& solution, SlowFlow& flow, const Polynomial& p)> put;
+    std::function<void(Solution& solution, const Polynomial& p)> put;
 };
 
 class PlacesInSolution {
 public:
     // judged: the outputs of which the ladder judges every term, and their claims. Where there is none, there
-    // is no place. weight: the largest of a rate's part that a claim needs.
-    PlacesInSolution(const Solution& solution, const Claims& judged, int weight)
-        : judged_(judged), weight_(weight) {
+    // is no place.
+    PlacesInSolution(const Solution& solution, const Claims& judged) {
         if (judged.empty()) return;
-        if (solution.flow)
-            read_flow(*solution.flow);
-        else
-            read_closed(solution);
+        for (std::size_t k = 0; k < solution.modes.size(); ++k)
+            add(fmt::format("solution, phase rate {}", k), solution.modes[k].phase_rate,
+                [k](Solution& s) -> Series& { return s.modes[k].phase_rate; });
+        for (std::size_t k = 0; k < solution.primitives.size(); ++k)
+            all_.push_back({"solution, " + solution.primitives[k].name, solution.primitives[k].argument,
+                            [k](Solution& s, const Polynomial& p) { s.primitives[k].argument = p; }});
+        for (std::size_t k = 0; k < solution.outputs.size(); ++k)
+            if (judged.count(solution.outputs[k].name) > 0)
+                add("solution, " + solution.outputs[k].name, solution.outputs[k].value,
+                    [k](Solution& s) -> Series& { return s.outputs[k].value; });
     }
     [[nodiscard]] const std::vector<PlaceInSolution>& all() const { return all_; }
 
 private:
-    template <class Find> void add(const std::string& name, const Polynomial& truth, const Find& find) {
-        all_.push_back(
-            {name, truth, [find](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f) = p; }});
+    template <class Find> void add(const std::string& name, const Series& truth, const Find& find) {
+        for (int n = 0; n <= truth.through(); ++n)
+            all_.push_back({fmt::format("{}, weight {}", name, n), truth.part(n),
+                            [find, n](Solution& s, const Polynomial& p) { find(s).set(n, p); }});
     }
-    // The parts through a weight, or all.
-    template <class Find>
-    void add(const std::string& name, const Series& truth, const Find& find,
-             std::optional<int> through = {}) {
-        for (int n = 0; n <= std::min(truth.through(), through.value_or(truth.through())); ++n)
-            all_.push_back(
-                {fmt::format("{}, weight {}", name, n), truth.part(n),
-                 [find, n](Solution& s, SlowFlow& f, const Polynomial& p) { find(s, f).set(n, p); }});
-    }
-    template <class Find> void add_rate(const std::string& name, const Series& truth, const Find& find) {
-        add(name, truth, find, weight_);
-    }
-    void read_closed(const Solution& solution);
-    void read_flow(const SlowFlow& flow);
 
-    const Claims& judged_;
-    int weight_;
     std::vector<PlaceInSolution> all_;
 };
-
-void PlacesInSolution::read_closed(const Solution& solution) {
-    for (std::size_t k = 0; k < solution.modes.size(); ++k)
-        add_rate(fmt::format("solution, phase rate {}", k), solution.modes[k].phase_rate,
-                 [k](Solution& s, SlowFlow&) -> Series& { return s.modes[k].phase_rate; });
-    for (std::size_t k = 0; k < solution.primitives.size(); ++k)
-        add("solution, " + solution.primitives[k].name, solution.primitives[k].argument,
-            [k](Solution& s, SlowFlow&) -> Polynomial& { return s.primitives[k].argument; });
-    for (std::size_t k = 0; k < solution.outputs.size(); ++k)
-        if (judged_.count(solution.outputs[k].name) > 0)
-            add("solution, " + solution.outputs[k].name, solution.outputs[k].value,
-                [k](Solution& s, SlowFlow&) -> Series& { return s.outputs[k].value; });
-}
-
-void PlacesInSolution::read_flow(const SlowFlow& flow) {
-    for (std::size_t k = 0; k < flow.phases.size(); ++k)
-        add(fmt::format("solution, phase rate {}", k), flow.phases[k],
-            [k](Solution&, SlowFlow& f) -> Polynomial& { return f.phases[k]; });
-    for (std::size_t k = 0; k < flow.decays.size(); ++k)
-        add(fmt::format("solution, exponent {}", k), flow.decays[k],
-            [k](Solution&, SlowFlow& f) -> Polynomial& { return f.decays[k]; });
-    for (std::size_t k = 0; k < flow.modes.size(); ++k)
-        add_rate(fmt::format("solution, rate of mode {}", k), flow.modes[k].rate,
-                 [k](Solution&, SlowFlow& f) -> Series& { return f.modes[k].rate; });
-    for (std::size_t k = 0; k < flow.angles.size(); ++k)
-        add_rate(fmt::format("solution, rate of angle {}", k), flow.angles[k].rate,
-                 [k](Solution&, SlowFlow& f) -> Series& { return f.angles[k].rate; });
-    for (std::size_t k = 0; k < flow.slow.size(); ++k)
-        add_rate(fmt::format("solution, slow rate {}", k), flow.slow[k],
-                 [k](Solution&, SlowFlow& f) -> Series& { return f.slow[k]; });
-    for (std::size_t k = 0; k < flow.drift.size(); ++k)
-        add_rate(fmt::format("solution, drift rate {}", k), flow.drift[k],
-                 [k](Solution&, SlowFlow& f) -> Series& { return f.drift[k]; });
-    for (std::size_t k = 0; k < flow.outputs.size(); ++k)
-        if (judged_.count(flow.outputs[k].name) > 0)
-            add("solution, " + flow.outputs[k].name, flow.outputs[k].value,
-                [k](Solution&, SlowFlow& f) -> Series& { return f.outputs[k].value; });
-}
 
 // The polynomial with the other sign of its k-th term; of one that is real, also of the term's conjugate, so
 // that it stays real: once for both, nullopt for the second.
@@ -122,10 +72,7 @@ std::optional<Polynomial> with_lie(const Ring& ring, const Polynomial& truth, st
 
 Solution with(const Solution& truth, const PlaceInSolution& place, const Polynomial& p) {
     Solution lie = truth;
-    SlowFlow flow;
-    if (truth.flow) flow = *truth.flow;
-    place.put(lie, flow, p);
-    if (truth.flow) lie.flow = std::make_shared<const SlowFlow>(std::move(flow));
+    place.put(lie, p);
     return lie;
 }
 
@@ -148,27 +95,6 @@ public:
     // The outputs that are to pass and whose claim leaves no term of theirs out, as that of a mean motion
     // does.
     [[nodiscard]] const Claims& judged() const { return judged_; }
-    // The largest weight in the rates of a solution without which a claim would not be guaranteed; all, where
-    // nothing can be said.
-    [[nodiscard]] int weight_needed(const Solution& solution) const {
-        const std::optional<int> p = time_power(scene_);
-        int weight = solution.truncation;
-        if (!p) return weight;
-        TruncatedFormula formula = formula_of(scene_, solution, *p);
-        try {
-            for (; weight > solution.order; --weight) {
-                formula.truncation = weight - 1;
-                const Neglected without(solution, formula);
-                const auto loses = [&](const auto& claim) {
-                    const std::optional<ErrorPower> error = without.power(claim.first);
-                    return error && error->power < claim.second;
-                };
-                if (std::any_of(judged_.begin(), judged_.end(), loses)) break;
-            }
-        } catch (const Error&) { // errors that feed on each other
-        }
-        return weight;
-    }
     // An output fails after a rung after which it honestly does not, or does not pass in the end though it
     // honestly does.
     [[nodiscard]] bool catches(const Solution& lie) const {
@@ -233,7 +159,7 @@ public:
     EffectOfLies(const Scene& scene, const Solution& solution, const VerifyOptions& options)
         : scene_(scene), honest_(solution, scene),
           judge_(*honest_.program, honest_.library, std::make_shared<const SymbolicSolution>(solution, scene),
-                 scene, solution.flow != nullptr, {options.cache, {}, options.emitted_starts}),
+                 scene, false, {options.cache, {}, options.emitted_starts}),
           order_(judge_.starts()) {
         for (std::size_t j = 0; j < judge_.starts(); ++j) answers_.push_back(judge_.answers_at(j));
     }
@@ -293,11 +219,10 @@ void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, con
     EffectOfLies effect(scene, solution, options);
     LadderOfLies ladder(system, scene, options);
     ladder.learn(solution);
-    const PlacesInSolution places(solution, ladder.judged(), ladder.weight_needed(solution));
-    const Ring& ring = solution.flow ? *solution.normalization->normal_form.field->ring : *solution.ring;
+    const PlacesInSolution places(solution, ladder.judged());
     for (const PlaceInSolution& place : places.all())
         for (std::size_t term = 0; term < place.truth.size(); ++term) {
-            const std::optional<Polynomial> p = with_lie(ring, place.truth, term);
+            const std::optional<Polynomial> p = with_lie(*solution.ring, place.truth, term);
             if (!p) continue;
             Lie lie{"", fmt::format("{}, term {}", place.name, term + 1), "sign"};
             try_lie(with(solution, place, *p), effect, ladder, lies.clear_of_threshold(), lie);

@@ -3,7 +3,7 @@
 // file along any map and normal form.
 #pragma once
 
-#include "certify/program.hpp"
+#include "certify/points/program.hpp"
 #include "normalize/recursion/normal_form.hpp"
 
 #include <string>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "algebra/series/series.hpp"
-#include "certify/reader.hpp"
+#include "certify/points/reader.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/point.hpp"
+#include "certify/points/point.hpp"
 
 #include "algebra/number/error.hpp"
 #include "algebra/number/taylor_law.hpp"

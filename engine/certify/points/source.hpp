@@ -4,7 +4,7 @@
 #pragma once
 
 #include "algebra/graph/replay.hpp"
-#include "certify/point.hpp"
+#include "certify/points/point.hpp"
 #include "normalize/recursion/normal_form.hpp"
 
 #include <vector>

@@ -2,8 +2,8 @@
 // The coefficients of normal form and map that a program reads.
 #pragma once
 
-#include "certify/plan.hpp"
-#include "certify/reader.hpp"
+#include "certify/points/plan.hpp"
+#include "certify/points/reader.hpp"
 
 #include <array>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/sampler.hpp"
+#include "certify/points/sampler.hpp"
 
 #include "algebra/number/error.hpp"
 

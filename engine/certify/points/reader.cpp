@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/reader.hpp"
+#include "certify/points/reader.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -86,11 +86,13 @@ PointReader::AtPoint PointReader::prepared(const Ring& ring, const Point& point,
     }
     for (const Residue g : point.values) {
         here.values.push_back(montgomery.enter(g));
-        products.push_back(montgomery.multiply(products.back(), here.values.back()));
+        products.push_back(g == 0 ? products.back()
+                                  : montgomery.multiply(products.back(), here.values.back()));
     }
     Residue inverse = montgomery.inverse(products.back());
     here.inverses.resize(point.values.size());
     for (std::size_t k = point.values.size(); k-- > 0;) {
+        if (point.values[k] == 0) continue;
         here.inverses[k] = montgomery.multiply(inverse, products[k]);
         inverse = montgomery.multiply(inverse, here.values[k]);
     }
@@ -120,7 +122,7 @@ inline Residue PointReader::power(const AtPoint& at, Half& half, const ExponentR
     const int shifted = p.exponent + middle;
     const auto place = static_cast<std::size_t>(shifted);
     Residue& known = half.powers[static_cast<std::size_t>(p.id) * span + place];
-    if (known == 0) known = far_power(at, half, p); // the generator itself is not zero
+    if (known == 0) known = far_power(at, half, p); // or the generator itself is zero
     return known;
 }
 

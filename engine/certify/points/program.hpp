@@ -23,7 +23,7 @@ namespace resonform {
 // The conjugate side reads i as -i and swaps the modes of a pair.
 enum class Side { itself, conjugate };
 
-// A series of the normalisation, or a polynomial that the program knows.
+// A series of the normalisation, or one that the program knows.
 struct SeriesName {
     enum Kind {
         mode_rate,
@@ -35,7 +35,7 @@ struct SeriesName {
         slow_shift,
         drift_shift,
         energy,
-        polynomial
+        own
     };
     Kind kind;
     std::size_t index = 0;
@@ -67,7 +67,7 @@ struct Instruction {
     Slot left = -1, right = -1;
     int index = 0; // generator | exponent of inverse_power | Function
     int power = 0;
-    SeriesName series{SeriesName::polynomial};
+    SeriesName series{SeriesName::own};
     Side side = Side::itself;
     Rational number = 0;
 };
@@ -88,11 +88,12 @@ public:
     Slot minus(Slot a) { return multiply(number(-1), a); }
     Slot difference(Slot a, Slot b) { return add(a, minus(b)); }
 
-    SeriesName series(const Polynomial& p); // of weight 0
+    SeriesName series(Series s);
+    SeriesName series(const Polynomial& p) { return series(Series({p})); } // of weight 0
     Slot value(const Polynomial& p) { return value(series(p), Side::itself); }
 
     [[nodiscard]] const std::vector<Instruction>& steps() const { return steps_; }
-    [[nodiscard]] const Series& polynomial(std::size_t index) const { return polynomials_[index]; }
+    [[nodiscard]] const Series& own(std::size_t index) const { return own_[index]; }
     // By slot: whether one of `results` needs it.
     [[nodiscard]] std::vector<bool> needed(const std::vector<Slot>& results) const;
 
@@ -109,7 +110,7 @@ private:
 
     std::vector<Instruction> steps_;
     std::map<std::pair<Key, Rational>, Slot, Less> known_;
-    std::vector<Series> polynomials_;
+    std::vector<Series> own_;
 };
 
 } // namespace resonform

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/program.hpp"
+#include "certify/points/program.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -73,11 +73,11 @@ Slot CertificateProgram::slope(SeriesName series, Side side, GeneratorId by) {
     return slot_of({Operation::slope, -1, -1, by, 0, series, side});
 }
 
-SeriesName CertificateProgram::series(const Polynomial& p) {
-    std::size_t index = 0;
-    while (index < polynomials_.size() && polynomials_[index].part(0) != p) ++index;
-    if (index == polynomials_.size()) polynomials_.push_back(Series({p}));
-    return {SeriesName::polynomial, index};
+SeriesName CertificateProgram::series(Series s) {
+    const auto known = std::find(own_.begin(), own_.end(), s);
+    const auto index = static_cast<std::size_t>(known - own_.begin());
+    if (known == own_.end()) own_.push_back(std::move(s));
+    return {SeriesName::own, index};
 }
 
 std::vector<bool> CertificateProgram::needed(const std::vector<Slot>& results) const {

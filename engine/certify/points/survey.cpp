@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/survey.hpp"
+#include "certify/points/survey.hpp"
 
 #include "algebra/ring/fractions.hpp"
 

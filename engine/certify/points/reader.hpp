@@ -4,8 +4,8 @@
 #pragma once
 
 #include "algebra/ring/fractions.hpp"
-#include "certify/program.hpp"
-#include "certify/sampler.hpp"
+#include "certify/points/program.hpp"
+#include "certify/points/sampler.hpp"
 
 #include <array>
 #include <span>
@@ -62,7 +62,8 @@ class PointReader {
 
 public:
     static constexpr std::size_t most_points = 4;
-    // `points`: 1 ... most_points of them; no generator is zero there.
+    // `points`: 1 ... most_points of them. A generator that is zero at a point occurs in no denominator;
+    // slopes by it read 0.
     PointReader(const Ring& ring, std::span<const Point> points);
 
     // The sum of all terms, and its derivatives by some generators, at each point.

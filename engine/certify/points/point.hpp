@@ -3,7 +3,7 @@
 // value * t^k, so that weights are read off as powers of t.
 #pragma once
 
-#include "certify/readings.hpp"
+#include "certify/points/readings.hpp"
 
 #include <array>
 #include <utility>

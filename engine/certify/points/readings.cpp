@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/readings.hpp"
+#include "certify/points/readings.hpp"
 
 #include <algorithm>
 #include <future>
@@ -85,7 +85,7 @@ const Series& series_of(SeriesName name, const CertificateProgram& program, cons
     case SeriesName::slow_shift: return map.slow[name.index];
     case SeriesName::drift_shift: return map.drift[name.index];
     case SeriesName::energy: return normal_form.hamiltonian->energy;
-    case SeriesName::polynomial: return program.polynomial(name.index);
+    case SeriesName::own: return program.own(name.index);
     }
     throw std::logic_error("series_of: unknown kind");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "certify/source.hpp"
+#include "certify/points/source.hpp"
 
 #include "algebra/graph/bounds.hpp"
 
