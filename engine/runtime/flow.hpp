@@ -311,7 +311,7 @@ private:
                 values_[k] = CompensatedSum<Real>();
                 coefficients_[k].fill(Real(0));
             }
-            auto coefficient = Chebyshev<Real>::primitive(coefficients_[k]);
+            auto coefficient = chebyshev_.primitive(coefficients_[k]);
             Real whole = Real(0);
             for (Real& x : coefficient) {
                 x = x * panel.half;
@@ -330,17 +330,13 @@ private:
         return true;
     }
 
-    // The same for all flows; in many digits they take a while.
-    static const Chebyshev<Real>& chebyshev() {
-        static const Chebyshev<Real> once;
-        return once;
-    }
+    // The same for all flows; in many digits it takes a while.
     static const std::array<Nodes, n>& integration() {
-        static const std::array<Nodes, n> once = chebyshev().integration();
+        static const std::array<Nodes, n> once = Chebyshev<Real>::once().integration();
         return once;
     }
 
-    const Chebyshev<Real>& chebyshev_ = chebyshev();
+    const Chebyshev<Real>& chebyshev_ = Chebyshev<Real>::once();
     const std::array<Nodes, n>& integration_ = integration();
     std::vector<CompensatedSum<Real>> values_; // at the left end of what is next
     std::vector<Real> size_, blur_;            // of each value within the panel; of each rate

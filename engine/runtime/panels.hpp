@@ -57,6 +57,13 @@ public:
         for (std::size_t k = 0; k <= n; ++k)
             quadrant_[k] =
                 cos(math::pi<Number>() * Number(static_cast<int>(k)) / Number(static_cast<int>(2 * n)));
+        find_polynomials();
+    }
+
+    // For all fits of this type: the cosines take longer than many a fit.
+    static const Chebyshev& once() {
+        static const Chebyshev made;
+        return made;
     }
 
     // cos((2j + 1) pi/(2n)), descending from near 1 to near -1
@@ -74,7 +81,7 @@ public:
     }
 
     // The primitive that vanishes at x = -1, by powers of x.
-    [[nodiscard]] static std::array<Number, n + 1> primitive(const Values& c) {
+    [[nodiscard]] std::array<Number, n + 1> primitive(const Values& c) const {
         std::array<Number, n + 1> result = powers(integrated(c));
         Number at_left = Number(0);
         for (std::size_t k = n + 1; k > 0; --k) at_left = result[k - 1] - at_left;
@@ -118,23 +125,27 @@ private:
         return k > n ? Number(-quadrant_[2 * n - k]) : quadrant_[k];
     }
 
-    // sum_k series[k] T_k(x) by powers of x, through T_{k+1} = 2 x T_k - T_{k-1}
-    [[nodiscard]] static std::array<Number, n + 1> powers(const std::array<Number, n + 1>& series) {
-        std::array<Number, n + 1> result{}, previous{}, current{};
-        previous[0] = Number(1);
-        current[1] = Number(1);
-        result[0] = series[0];
-        for (std::size_t k = 1; k <= n; ++k) {
-            for (std::size_t j = 0; j <= k; ++j) result[j] = result[j] + series[k] * current[j];
-            std::array<Number, n + 1> next{};
-            for (std::size_t j = 0; j <= k && j < n; ++j) next[j + 1] = Number(2) * current[j];
-            for (std::size_t j = 0; j < k; ++j) next[j] = next[j] - previous[j];
-            previous = std::exchange(current, next);
-        }
+    // sum_k series[k] T_k(x) by powers of x
+    [[nodiscard]] std::array<Number, n + 1> powers(const std::array<Number, n + 1>& series) const {
+        std::array<Number, n + 1> result{};
+        for (std::size_t k = 0; k <= n; ++k)
+            for (std::size_t j = k % 2; j <= k; j += 2) result[j] = result[j] + series[k] * polynomial_[k][j];
         return result;
     }
 
+    // Those of T_k, through T_{k+1} = 2 x T_k - T_{k-1}
+    void find_polynomials() {
+        polynomial_[0][0] = Number(1);
+        polynomial_[1][1] = Number(1);
+        for (std::size_t k = 1; k < n; ++k) {
+            for (std::size_t j = 0; j <= k; ++j) polynomial_[k + 1][j + 1] = Number(2) * polynomial_[k][j];
+            for (std::size_t j = 0; j < k; ++j)
+                polynomial_[k + 1][j] = polynomial_[k + 1][j] - polynomial_[k - 1][j];
+        }
+    }
+
     std::array<Number, n + 1> quadrant_{};
+    std::array<std::array<Number, n + 1>, n + 1> polynomial_{};
 };
 
 // A sum with its rounding errors carried along (Neumaier), each addition beginning with what is left of them:
@@ -250,7 +261,7 @@ private:
         panel.half = (right - left) / Number(2);
         for (std::size_t k = 0; k < Count; ++k) {
             auto& coefficient = panel.coefficient[k];
-            coefficient = Chebyshev<Number>::primitive(c[k]);
+            coefficient = chebyshev_.primitive(c[k]);
             Number whole = Number(0);
             for (Number& x : coefficient) {
                 x = x * panel.half;
@@ -268,7 +279,7 @@ private:
     const Integrand& integrand_;
     Number end_;
     FitTolerance<Number> tolerance_;
-    Chebyshev<Number> chebyshev_;
+    const Chebyshev<Number>& chebyshev_ = Chebyshev<Number>::once();
     std::array<typename Chebyshev<Number>::Values, Count> values_{};
     std::array<Number, Count> sizes_{}; // int |f_k| so far
     std::array<CompensatedSum<Number>, Count> sums_{};

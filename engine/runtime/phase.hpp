@@ -158,21 +158,24 @@ private:
     void divide(const Panel<Wide, 1>& panel, const Wide& start, std::vector<Real>& lefts) {
         Coefficients c = panel.coefficient[0];
         c[0] = c[0] + start;
-        for (Wide& x : c) x = x / turn_;
+        for (Wide& x : c) x = x * per_turn_;
         Real curved = Real(0);
         for (std::size_t j = 2; j < terms; ++j) curved = curved + math::magnitude(narrow(c[j]));
         curved = curved / Real(least_parts * least_parts);
+        const Wide inverse = Wide(1) / panel.half;
         int parts = least_parts;
         for (; parts < most_parts && curved > Real(1) / Real(4); parts *= 2) curved = curved / Real(4);
         for (int k = 0; k < parts; ++k) {
-            const Wide left = Wide(2 * k - parts) / Wide(parts); // in units of panel.half
+            const Wide left = Wide(Real(2 * k - parts) / Real(parts)); // in units of panel.half, exact
             lefts.push_back(narrow(panel.middle + panel.half * left));
-            rows_.push_back(row(panel, c, left + Wide(1) / Wide(parts), parts));
+            rows_.push_back(row(panel, c, inverse, left + Wide(Real(1) / Real(parts)), parts));
         }
     }
 
     // The part of a panel around x, the panel's own variable, re-expanded (Horner's scheme, repeated).
-    Row row(const Panel<Wide, 1>& panel, const Coefficients& c, const Wide& x, int parts) const {
+    // inverse: 1/panel.half.
+    Row row(const Panel<Wide, 1>& panel, const Coefficients& c, const Wide& inverse, const Wide& x,
+            int parts) const {
         Row result;
         result.middle = narrow(panel.middle + panel.half * x);
         result.scale = Real(1);
@@ -180,12 +183,9 @@ private:
         while (result.scale * narrow(panel.half) > Real(parts)) result.scale = result.scale / Real(2);
         while (Real(2) * result.scale * narrow(panel.half) <= Real(parts))
             result.scale = result.scale * Real(2);
-        const Wide centre = (Wide(result.middle) - panel.middle) / panel.half;
-        const Wide unit = Wide(1) / (Wide(result.scale) * panel.half);
-        const Real negligible = math::epsilon<Real>() / Real(4096);
-        std::size_t used = terms;
-        while (used > 1 && math::magnitude(narrow(c[used - 1])) < negligible) --used;
-        result.coefficient = recentred(c, centre, used);
+        const Wide centre = (Wide(result.middle) - panel.middle) * inverse;
+        const Wide unit = inverse * Wide(Real(1) / result.scale); // scale is a power of two
+        result.coefficient = around(c, centre);
         Wide power(1);
         Real largest = Real(0);
         for (Wide& coefficient : result.coefficient) {
@@ -207,6 +207,34 @@ private:
         return result;
     }
 
+    // Terms that add up to less than 1/128 of a turn, with what they grow by within a row, need no more
+    // digits than Real has.
+    static Coefficients around(const Coefficients& c, const Wide& centre) {
+        const Real negligible = math::epsilon<Real>() / Real(4096);
+        std::size_t used = terms;
+        while (used > 1 && math::magnitude(narrow(c[used - 1])) < negligible) --used;
+        if constexpr (std::is_same_v<Wide, Real>) {
+            return recentred(c, centre, used);
+        } else {
+            std::array<Real, terms> small{};
+            std::size_t large = used;
+            for (Real rest(0); large > 1; --large) {
+                small[large - 1] = narrow(c[large - 1]);
+                rest = math::magnitude(small[large - 1]) + Real(5) / Real(4) * rest;
+                if (rest > Real(1) / Real(128)) break;
+            }
+            Coefficients result{};
+            for (std::size_t j = 0; j < large; ++j) {
+                result[j] = c[j];
+                small[j] = Real(0);
+            }
+            result = recentred(result, centre, large);
+            small = recentred(small, narrow(centre), used);
+            for (std::size_t j = 0; j < used; ++j) result[j] = result[j] + Wide(small[j]);
+            return result;
+        }
+    }
+
     // Terms beyond `length_` are below ulp(1)/64 of a turn, and so is the rounding of those beyond
     // `wide_length_`, or nearly.
     void choose_lengths() {
@@ -223,7 +251,7 @@ private:
     }
 
     static constexpr int least_parts = 8, most_parts = 32;
-    Wide turn_ = Wide(2) * math::pi<Wide>();
+    Wide turn_ = Wide(2) * math::pi<Wide>(), per_turn_ = Wide(1) / turn_;
     Real eps_{}, resolution_{}; // resolution_: relative error of the rate
     bool fades_ = false;
     std::size_t length_ = 1, wide_length_ = 1;
