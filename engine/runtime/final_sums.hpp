@@ -46,7 +46,10 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 //                                     const std::array<Real, columns>&) const;
 //   template <class Number> struct Angles {
 //       explicit Angles(const Course&); Cause lost; std::array<Number, angles> start;
-//       std::array<Number, angles> operator()(const Number& T, const std::array<Real, columns>&) const;
+//       std::array<Number, angles> operator()(const Course&, const Number& T,
+//                                             const std::array<Real, columns>&) const;
+//       std::array<Number, angles> main(...) const;     the same as a sum, where some
+//       std::array<Real, angles> small(const Course&, const Real& T) const;      rates are divided
 //   };
 //   std::array<Real, m> margins(const Real& T) const;                            of layers, if there are any;
 //   std::array<Real, m> margins(const Real& T, const std::array<Real, columns>&) const;      or of the flow
@@ -64,6 +67,17 @@ public:
 
     [[nodiscard]] const Columns& tables() const { return tables_; }
     [[nodiscard]] const std::array<Number, phases>& angles() const { return angles_; } // without their start
+
+    // Rates are summed in two types, where Number has more digits than Real but need not have twice as many.
+    static constexpr bool divides =
+        !std::is_same_v<Number, Real> &&
+        (!std::is_same_v<Number, WideNumber<Real>> ||
+         !std::is_same_v<typename OneOf<Real>::type, Real>)&&requires(const Turning& turning,
+                                                                      const Course& course) {
+        turning.small(course, Real());
+    };
+    // Whether what Real sums turns by so little that the digits of Real suffice.
+    [[nodiscard]] auto turns_little() const { return largest_small_ * right_ < Real(0.25); }
 
     // Status as fit_panels: overflow, outside_domain; that of a flow, or where margins are in doubt, says no
     // more than that there is no result.
@@ -124,6 +138,7 @@ public:
             left = right;
         }
         auto resolved = ~(worst > Real(1));
+        if constexpr (divides) resolved = resolved & turns_little();
         for (const Real& table : tables_) resolved = resolved & (table - table == Real(0));
         for (const Number& angle : angles_) resolved = resolved & (narrow(angle - angle) == Real(0));
         return resolved;
@@ -151,7 +166,7 @@ private:
     }
 
     Status turn_steadily(const Number& end) {
-        const std::array<Number, phases> rate = turning_(end, tables_);
+        const std::array<Number, phases> rate = turning_(course_, end, tables_);
         for (std::size_t k = 0; k < phases; ++k) {
             if constexpr (!several)
                 if (!math::finite(narrow(rate[k]))) return fault<Real>(rate);
@@ -165,6 +180,7 @@ private:
         half_ = (right - left) / Number(2);
         right_ = narrow(right);
         rest_ = Real(0);
+        panel_small_ = {};
         const Real middle = narrow(middle_), half = narrow(half_);
         for (std::size_t j = 0; j < n; ++j) T_[j] = middle + half * Real(gauss_.node[j]);
         AngleSums angle = angle_sums(std::make_index_sequence<phases>());
@@ -273,15 +289,26 @@ private:
         return Status::ok;
     }
 
-    void add_angles(std::size_t j, AngleSums& sum) const {
-        const std::array<Number, phases> rate = turning_(place(j), at_node_[j]);
-        for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
+    void add_angles(std::size_t j, AngleSums& sum) {
+        if constexpr (divides) {
+            const std::array<Number, phases> main = turning_.main(course_, place(j), at_node_[j]);
+            const std::array<Real, phases> small = turning_.small(course_, T_[j]);
+            for (std::size_t k = 0; k < phases; ++k) {
+                sum[k].add(j, main[k], Seen(static_cast<Seen>(main[k]) + Seen(small[k])));
+                panel_small_[k] = panel_small_[k] + Real(gauss_.weight[j]) * small[k];
+                largest_small_ = math::larger(largest_small_, Real(math::magnitude(small[k])));
+            }
+        } else {
+            const std::array<Number, phases> rate = turning_(course_, place(j), at_node_[j]);
+            for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
+        }
     }
 
     Status angles_of_panel(AngleSums& sum) {
         if constexpr (!together && phases > 0)
             for (std::size_t j = 0; j < n; ++j) add_angles(j, sum);
         for (std::size_t k = 0; k < phases; ++k) {
+            if constexpr (divides) sum[k].whole = sum[k].whole + Number(panel_small_[k]);
             if constexpr (!several)
                 if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
             panel_angles_[k] = half_ * sum[k].whole;
@@ -298,7 +325,7 @@ private:
 
     Status fault_of_angle(std::size_t k) const {
         std::array<Number, n> values;
-        for (std::size_t j = 0; j < n; ++j) values[j] = turning_(place(j), at_node_[j])[k];
+        for (std::size_t j = 0; j < n; ++j) values[j] = turning_(course_, place(j), at_node_[j])[k];
         return fault<Real>(values);
     }
 
@@ -342,12 +369,12 @@ private:
     const Course& course_;
     const Turning& turning_;
     Number middle_{}, half_{};
-    Real right_{}, rest_{};
+    Real right_{}, rest_{}, largest_small_{};
     std::array<Real, n> T_;
     std::array<Columns, n> at_node_{};
     Columns tables_, sizes_{}, panel_{}, panel_sizes_{};
     std::array<Number, phases> angles_{}, panel_angles_{};
-    std::array<Real, phases> angle_sizes_{}, panel_angle_sizes_{};
+    std::array<Real, phases> angle_sizes_{}, panel_angle_sizes_{}, panel_small_{};
 };
 
 } // namespace resonform

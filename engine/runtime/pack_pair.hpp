@@ -42,6 +42,13 @@ struct PackPair {
         const PackPair p = product(a.high, b.high);
         return sorted_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
     }
+    // sum + a b; `low` may grow to a few units of the last place of `high`.
+    friend PackPair added_product(const PackPair& sum, const PackPair& a, const PackPair& b) {
+        const PackPair p = product(a.high, b.high);
+        const Pack s = sum.high + p.high, part = s - sum.high;
+        const Pack rest = (sum.high - (s - part)) + (p.high - part);
+        return {s, (rest + sum.low) + (p.low + (a.high * b.low + a.low * b.high))};
+    }
     friend PackPair operator/(const PackPair& a, const PackPair& b) {
         const Pack inverse = reciprocal(b.high), q = a.high * inverse;
         const PackPair p = product(q, b.high);

@@ -871,15 +871,23 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 7>{c.c_1, c.c_65, c.c_66, c.c_67, c.c_68, c.c_69, c.c_70}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
+            explicit Angles(const Course& course) {
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const Constants<Number>& c = constants(course);
                 start = {c.c_17};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const Constants<Number>& constants(const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const Constants<Number>& c = constants(course);
                 return {chi_rate(c, T, widened<Number>(row))};
             }
         };

@@ -317,15 +317,23 @@ private:
 
         Columns start() const { return {}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
+            explicit Angles(const Course& course) {
+                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const Constants<Number>& c = constants(course);
                 start = {c.c_1};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const Constants<Number>& constants(const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const Constants<Number>& c = constants(course);
                 return {theta_rate(c, T)};
             }
         };

@@ -1021,15 +1021,23 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 4>{c.c_36, c.c_40, c.c_41, c.c_42}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 3> start;
 
-            explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
+            explicit Angles(const Course& course) {
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const Constants<Number>& c = constants(course);
                 start = {c.c_12, c.c_12, c.c_12};
             }
-            std::array<Number, 3> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const Constants<Number>& constants(const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 3> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const Constants<Number>& c = constants(course);
                 return {theta_1_rate(c, T), theta_2_rate(c, T, widened<Number>(row)), chi_rate(c, T, widened<Number>(row))};
             }
         };

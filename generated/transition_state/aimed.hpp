@@ -794,15 +794,23 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 6>{c.c_20, c.c_21, c.c_22, c.c_23, c.c_24, c.c_25}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
-            explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
+            explicit Angles(const Course& course) {
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const Constants<Number>& c = constants(course);
                 start = {c.u_y, c.u_y};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const Constants<Number>& constants(const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 2> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const Constants<Number>& c = constants(course);
                 return {theta_rate(c, T), chi_rate(c, T)};
             }
         };

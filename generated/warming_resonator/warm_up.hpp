@@ -343,6 +343,31 @@ private:
         return c.c_8 * (s_2 + c.c_7 * theta_dot_2);
     }
 
+    // The same as a sum, of which the second part turns little.
+    template <class Number> static Number theta_main_rate(const Constants<Number>& c, const Number& T) {
+        const Number q_1 = -Number(2) * T;
+        const Number u = c.u_0 * exp(q_1) - c.c_1 * expm1(q_1);
+        const Number s = Number(1) - u;
+        const Number s_2 = sqrt(s);
+        return c.c_8 * s_2;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number q_1 = -Number(2) * T;
+        const Number u = c.u_0 * exp(q_1) - c.c_1 * expm1(q_1);
+        const Number s = Number(1) - u;
+        const Number s_2 = sqrt(s);
+        const Number per_s = per(s);
+        const Number q_2 = per_s * per_s;
+        const Number s_m5_2 = s_2 * (q_2 * per_s);
+        const Number q_3 = c.c_2 * u;
+        const Number s_m3_2 = s_2 * q_2;
+        const Number q_4 = exp(Number(c.c_5 * T));
+        const Number s_m1_2 = s_2 * per_s;
+        const Number theta_dot_2 = s_m5_2 * (u * (c.c_2 - q_3) - c.c_3) + s_m3_2 * (c.c_4 - q_3) + c.c_6 * per_s * (q_4 * q_4) - c.c_3 * s_m1_2;
+        return c.eps * theta_dot_2;
+    }
+
     // What differs from call to call.
     struct Arguments {
         Real T{}; // slow time eps t
@@ -515,17 +540,29 @@ private:
         auto margins(const Real& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
+            explicit Angles(const Course& course) {
+                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const Constants<Number>& c = constants(course);
                 start = {c.theta_0};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const Constants<Number>& constants(const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const Constants<Number>& c = constants(course);
                 return {theta_rate(c, T)};
             }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

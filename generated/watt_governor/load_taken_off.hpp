@@ -1370,15 +1370,23 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 21>{c.c_1, c.c_5, c.c_2, c.c_17, c.c_18, c.c_19, c.c_20, c.c_21, c.c_22, c.c_23, c.c_24, c.c_25, c.c_26, c.c_27, c.c_28, c.c_29, c.c_31, c.c_32, c.c_33, c.c_34, c.c_35}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
-            explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
+            explicit Angles(const Course& course) {
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const Constants<Number>& c = constants(course);
                 start = {c.c_11, c.c_11};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const Constants<Number>& constants(const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 2> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const Constants<Number>& c = constants(course);
                 return {theta_rate(c, T, widened<Number>(row)), chi_rate(c, T, widened<Number>(row))};
             }
         };

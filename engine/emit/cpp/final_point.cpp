@@ -29,6 +29,7 @@ private:
     [[nodiscard]] std::string margins() const;
     [[nodiscard]] std::string conditions() const;
     [[nodiscard]] std::string phase_rates() const;
+    [[nodiscard]] std::string divided_rates() const;
     [[nodiscard]] std::string arguments() const;
 
     const Program& program_;
@@ -55,9 +56,12 @@ std::string CppCourse::margins() const {
     if (plan_.layers.empty()) return "";
     const bool flow = plan_.layers_use_flow;
     return fmt::format("        static constexpr int samples = resonform::{}layer_samples;\n"
-                       "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n",
+                       "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n{}",
                        plan_.layers_are_broad ? "broad_" : "", flow ? ", const Columns& row" : "",
-                       flow ? ", " + before(1) : "");
+                       flow ? ", " + before(1) : "",
+                       plan_.layers_have_bounds ? "        auto margins(const resonform::Bounds<Real>& T) "
+                                                  "const { return layers(c, T); }\n"
+                                                : "");
 }
 
 // What must be > 0 at the start; no more than Real has a place for.
@@ -77,6 +81,28 @@ std::string CppCourse::phase_rates() const {
         list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k],
                                    plan_.phase_uses_tables[k] ? ", widened<Number>(row)" : ""));
     return fmt::format("{}", fmt::join(list, ", "));
+}
+
+// Of each phase the part of its rate that is summed in Number, and the one for which Real suffices.
+std::string CppCourse::divided_rates() const {
+    if (!plan_.divides_rates()) return "";
+    std::vector<std::string> main, small;
+    for (std::size_t k = 0; k < program_.phases.size(); ++k) {
+        const std::string& name = plan_.phase_names[k];
+        const bool divided = plan_.divided_rates[k].has_value();
+        main.push_back(divided ? name + "_main_rate(constants(course), T)"
+                               : "whole[" + std::to_string(k) + "]");
+        small.push_back(divided ? name + "_small_rate(course.c, T)" : "Real(0)");
+    }
+    const bool all = std::all_of(plan_.divided_rates.begin(), plan_.divided_rates.end(),
+                                 [](const auto& rate) { return rate.has_value(); });
+    return filled(frames::divided_rates, {{"phases", std::to_string(program_.phases.size())},
+                                          {"whole", all ? ""
+                                                        : "                const std::array<Number, " +
+                                                              std::to_string(program_.phases.size()) +
+                                                              "> whole = (*this)(course, T, row);\n"},
+                                          {"main", fmt::format("{}", fmt::join(main, ", "))},
+                                          {"small", fmt::format("{}", fmt::join(small, ", "))}});
 }
 
 std::string CppCourse::arguments() const {
@@ -104,12 +130,14 @@ std::string CppCourse::print() const {
     }
     const bool none_decays = std::find(decays.begin(), decays.end(), true) == decays.end();
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
-    const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
+    const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, own);",
                                          plan_.range.native ? "compute" : "keep");
     const std::string constants =
         program_.phases.empty() && program_.data.empty()
             ? ""
-            : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
+            : fmt::format("                if constexpr (!std::is_same_v<Number, Real>) {}{}\n"
+                          "                const Constants<Number>& c = constants(course);\n",
+                          plan_.range.native ? "" : "lost = ", call);
     const bool steady = levels.empty() && program_.data.empty() &&
                         std::none_of(plan_.phase_rates.begin(), plan_.phase_rates.end(),
                                      [this](StraightLine::Value v) { return plan_.code.at(v).varying; });
@@ -136,6 +164,7 @@ std::string CppCourse::print() const {
          {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
          {"starts", plan_.member_list(plan_.phase_starts, "c.")},
          {"phase_rates", phase_rates()},
+         {"divided", divided_rates()},
          {"arguments", arguments()},
          {"precise", !plan_.loses_digits ? ""
                                          : "        if (status == Status::ok && !precise(c, a)) return "
