@@ -31,6 +31,13 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
     return result;
 }
 
+// Rates of phases may be summed in two types: Number has more digits than Real, but not twice as many, or not
+// to have them all.
+template <class Number, class Real>
+inline constexpr bool divides_rates =
+    !std::is_same_v<Number, Real> &&
+    (!std::is_same_v<Number, WideNumber<Real>> || !std::is_same_v<typename OneOf<Real>::type, Real>);
+
 // Course: the integrands that the emitted class of a scene has. Columns are values of the flow and of tables.
 // The rates of a level depend on the columns of earlier levels; those of a flow, level 0, on its own.
 //
@@ -68,12 +75,8 @@ public:
     [[nodiscard]] const Columns& tables() const { return tables_; }
     [[nodiscard]] const std::array<Number, phases>& angles() const { return angles_; } // without their start
 
-    // Rates are summed in two types, where Number has more digits than Real but need not have twice as many.
     static constexpr bool divides =
-        !std::is_same_v<Number, Real> &&
-        (!std::is_same_v<Number, WideNumber<Real>> ||
-         !std::is_same_v<typename OneOf<Real>::type, Real>)&&requires(const Turning& turning,
-                                                                      const Course& course) {
+        divides_rates<Number, Real> && requires(const Turning& turning, const Course& course) {
         turning.small(course, Real());
     };
     // Whether what Real sums turns by so little that the digits of Real suffice.
@@ -289,6 +292,17 @@ private:
         return Status::ok;
     }
 
+    [[nodiscard]] std::array<Number, phases> rates_at(std::size_t j) const {
+        if constexpr (divides) {
+            std::array<Number, phases> rate = turning_.main(course_, place(j), at_node_[j]);
+            const std::array<Real, phases> small = turning_.small(course_, T_[j]);
+            for (std::size_t k = 0; k < phases; ++k) rate[k] = rate[k] + Number(small[k]);
+            return rate;
+        } else {
+            return turning_(course_, place(j), at_node_[j]);
+        }
+    }
+
     void add_angles(std::size_t j, AngleSums& sum) {
         if constexpr (divides) {
             const std::array<Number, phases> main = turning_.main(course_, place(j), at_node_[j]);
@@ -299,7 +313,7 @@ private:
                 largest_small_ = math::larger(largest_small_, Real(math::magnitude(small[k])));
             }
         } else {
-            const std::array<Number, phases> rate = turning_(course_, place(j), at_node_[j]);
+            const std::array<Number, phases> rate = rates_at(j);
             for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
         }
     }
@@ -325,7 +339,7 @@ private:
 
     Status fault_of_angle(std::size_t k) const {
         std::array<Number, n> values;
-        for (std::size_t j = 0; j < n; ++j) values[j] = turning_(course_, place(j), at_node_[j])[k];
+        for (std::size_t j = 0; j < n; ++j) values[j] = rates_at(j)[k];
         return fault<Real>(values);
     }
 
@@ -334,7 +348,7 @@ private:
         if constexpr (std::is_same_v<Number, Real>)
             return T_[j];
         else
-            return middle_ + half_ * Number(gauss_wide_.node[j]);
+            return added_product(middle_, half_, Number(gauss_wide_.node[j]));
     }
 
     // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below

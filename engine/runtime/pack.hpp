@@ -30,21 +30,18 @@ inline Pack reciprocal(const Pack& x) {
         },
         x);
 }
-// The same of sqrt(x) and 1/(2 sqrt(x)), x >= 0 finite; 0 and 0 for 0.
+// The same of sqrt(x), x >= 0 finite, and half of the digits of 1/(2 sqrt(x)); 0 and 0 for 0.
 inline Pack root_and_half(const Pack& x, Pack& half) {
     using L = Pack::L;
     using Vector = typename L::Vector;
     Pack result;
     RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) {
         const Vector y = _mm512_maskz_rsqrt14_pd(_mm512_cmpneq_pd_mask(x.v[k], Vector{}), x.v[k]);
-        Vector root = x.v[k] * y, h = L::all(0.5) * y;
-        for (int step = 0; step < 2; ++step) {
-            const Vector rest = L::multiply_add(-root, h, L::all(0.5));
-            root = L::multiply_add(root, rest, root);
-            h = L::multiply_add(h, rest, h);
-        }
-        half.v[k] = h;
-        result.v[k] = L::multiply_add(L::multiply_add(-root, root, x.v[k]), h, root);
+        const Vector rough = x.v[k] * y, h = L::all(0.5) * y;
+        const Vector rest = L::multiply_add(-rough, h, L::all(0.5));
+        const Vector root = L::multiply_add(rough, rest, rough);
+        half.v[k] = L::multiply_add(h, rest, h);
+        result.v[k] = L::multiply_add(L::multiply_add(-root, root, x.v[k]), half.v[k], root);
     }
     return result;
 }

@@ -30,6 +30,8 @@ private:
     [[nodiscard]] std::string conditions() const;
     [[nodiscard]] std::string phase_rates() const;
     [[nodiscard]] std::string divided_rates() const;
+    [[nodiscard]] std::vector<std::string> read_by_phases() const;
+    [[nodiscard]] std::string constants() const;
     [[nodiscard]] std::string arguments() const;
 
     const Program& program_;
@@ -94,8 +96,7 @@ std::string CppCourse::divided_rates() const {
                                : "whole[" + std::to_string(k) + "]");
         small.push_back(divided ? name + "_small_rate(course.c, T)" : "Real(0)");
     }
-    const bool all = std::all_of(plan_.divided_rates.begin(), plan_.divided_rates.end(),
-                                 [](const auto& rate) { return rate.has_value(); });
+    const bool all = plan_.divides_rates(true);
     return filled(frames::divided_rates, {{"phases", std::to_string(program_.phases.size())},
                                           {"whole", all ? ""
                                                         : "                const std::array<Number, " +
@@ -103,6 +104,42 @@ std::string CppCourse::divided_rates() const {
                                                               "> whole = (*this)(course, T, row);\n"},
                                           {"main", fmt::format("{}", fmt::join(main, ", "))},
                                           {"small", fmt::format("{}", fmt::join(small, ", "))}});
+}
+
+// The members of the constants that phases read whose rates are all divided, if it is worth while to keep no
+// others.
+std::vector<std::string> CppCourse::read_by_phases() const {
+    if (!plan_.range.native || !plan_.divides_rates(true) || plan_.walks_constants() ||
+        !program_.data.empty())
+        return {};
+    std::vector<StraightLine::Value> read = plan_.phase_starts;
+    for (const auto& rate : plan_.divided_rates) read.push_back(rate->main);
+    std::vector<std::string> names;
+    for (const StraightLine::Value v : plan_.code.behind_doubled(read, false))
+        if (const auto member = plan_.members.find(v); member != plan_.members.end())
+            names.push_back(member->second);
+    return names;
+}
+
+// Of the phases, in Number. What is not kept is not computed.
+std::string CppCourse::constants() const {
+    if (program_.phases.empty() && program_.data.empty()) return "";
+    const std::string call = plan_.range.native
+                                 ? "compute_constants(course.eps, course.parameters, course.given, own)"
+                                 : "lost = keep_constants(course.eps, course.parameters, course.given, own)";
+    std::string some, otherwise = "                ";
+    for (const std::string& name : read_by_phases())
+        some += fmt::format("                    own.{0} = all.{0};\n", name);
+    if (!some.empty()) {
+        some = "                if constexpr (resonform::divides_rates<Number, Real>) {\n"
+               "                    Constants<Number> all;\n"
+               "                    compute_constants(course.eps, course.parameters, course.given, all);\n" +
+               some;
+        otherwise = "                } else ";
+    }
+    return fmt::format("{}{}if constexpr (!std::is_same_v<Number, Real>) {};\n"
+                       "                const auto& c = constants(course);\n",
+                       some, otherwise, call);
 }
 
 std::string CppCourse::arguments() const {
@@ -130,17 +167,10 @@ std::string CppCourse::print() const {
     }
     const bool none_decays = std::find(decays.begin(), decays.end(), true) == decays.end();
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
-    const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, own);",
-                                         plan_.range.native ? "compute" : "keep");
-    const std::string constants =
-        program_.phases.empty() && program_.data.empty()
-            ? ""
-            : fmt::format("                if constexpr (!std::is_same_v<Number, Real>) {}{}\n"
-                          "                const Constants<Number>& c = constants(course);\n",
-                          plan_.range.native ? "" : "lost = ", call);
     const bool steady = levels.empty() && program_.data.empty() &&
                         std::none_of(plan_.phase_rates.begin(), plan_.phase_rates.end(),
                                      [this](StraightLine::Value v) { return plan_.code.at(v).varying; });
+    const std::vector<std::string> some = read_by_phases();
     const bool no_data = program_.data.empty(), no_callables = plan_.callables.empty();
     return filled(
         frames::course,
@@ -159,7 +189,14 @@ std::string CppCourse::print() const {
          {"margins", margins()},
          {"conditions", conditions()},
          {"packs", program_.flow.empty() && none_decays && no_data && no_callables ? "true" : "false"},
-         {"constants", constants},
+         {"some", some.empty() ? ""
+                               : fmt::format("        template <class Number> struct SomeConstants {{\n"
+                                             "            Number {};\n        }};\n",
+                                             fmt::join(some, ", "))},
+         {"own", some.empty() ? "Constants<Number>"
+                              : "std::conditional_t<resonform::divides_rates<Number, Real>, "
+                                "SomeConstants<Number>, Constants<Number>>"},
+         {"constants", constants()},
          {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
          {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
          {"starts", plan_.member_list(plan_.phase_starts, "c.")},

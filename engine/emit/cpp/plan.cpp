@@ -252,9 +252,11 @@ std::vector<Value> CppPlan::roots() const {
     return all;
 }
 
-bool CppPlan::divides_rates() const {
-    return std::any_of(divided_rates.begin(), divided_rates.end(),
-                       [](const std::optional<DividedRate>& rate) { return rate.has_value(); });
+bool CppPlan::divides_rates(bool all) const {
+    const auto divided =
+        std::count_if(divided_rates.begin(), divided_rates.end(),
+                      [](const std::optional<DividedRate>& rate) { return rate.has_value(); });
+    return divided > 0 && (!all || static_cast<std::size_t>(divided) == divided_rates.size());
 }
 
 std::vector<Value> CppPlan::tabulated() const {

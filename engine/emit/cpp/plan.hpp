@@ -63,8 +63,8 @@ struct CppPlan {
         StraightLine::Value main, small;
     };
     std::vector<std::optional<DividedRate>> divided_rates;
-    [[nodiscard]] bool divides_rates() const;
-    struct Growth { // of an exponent that grows
+    [[nodiscard]] bool divides_rates(bool all = false) const; // some, or all
+    struct Growth {                                           // of an exponent that grows
         std::size_t phase;
         StraightLine::Value factor;
     };

@@ -33,7 +33,7 @@ private:
     std::string integrands();
     std::string integrands_of(std::size_t level);
     std::string phase_rates();
-    std::string rate_of(Value rate, const std::string& name, bool uses_tables);
+    std::string rate_of(Value rate, const std::string& name, bool uses_tables, bool some);
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
                            const std::vector<CppResult>& list);
@@ -149,27 +149,29 @@ std::string CppStages::phase_rates() {
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
         text += fmt::format("    // d{}/dT\n", name) +
-                rate_of(plan_.phase_rates[k], name + "_rate", plan_.phase_uses_tables[k]);
+                rate_of(plan_.phase_rates[k], name + "_rate", plan_.phase_uses_tables[k], false);
         if (const auto& divided = plan_.divided_rates[k])
             text += "    // The same as a sum, of which the second part turns little.\n" +
-                    rate_of(divided->main, name + "_main_rate", false) +
-                    rate_of(divided->small, name + "_small_rate", false);
+                    rate_of(divided->main, name + "_main_rate", false, true) +
+                    rate_of(divided->small, name + "_small_rate", false, false);
     }
     return text;
 }
 
-std::string CppStages::rate_of(Value rate, const std::string& name, bool uses_tables) {
+// some: of an object that holds no more constants than it needs.
+std::string CppStages::rate_of(Value rate, const std::string& name, bool uses_tables, bool some) {
     CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
     know_tables(function, "tables");
     function.compute({rate}, false);
-    CppFunction::Frame frame{"template <class Number> static",
-                             "Number",
-                             name,
-                             {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
-                             {},
-                             {fmt::format("return {};", function.text(rate))}};
+    CppFunction::Frame frame{
+        some ? "template <class Number, class Some> static" : "template <class Number> static",
+        "Number",
+        name,
+        {{some ? "const Some&" : "const Constants<Number>&", "c"}, {"const Number&", "T"}},
+        {},
+        {fmt::format("return {};", function.text(rate))}};
     if (uses_tables)
         frame.parameters.emplace_back(
             fmt::format("const std::array<Number, {}>&", plan_.columns_before(plan_.levels.size())),
