@@ -305,7 +305,7 @@ private:
     }
 
     // The same as a sum, of which the second part turns little.
-    template <class Number> static Number theta_main_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number s = tau * tau + Number(1);
         const Number s_2 = sqrt(s);
@@ -469,19 +469,19 @@ private:
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles(const Course& course) {
+            explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
-                const Constants<Number>& c = constants(course);
+                const auto& c = constants(course);
                 start = {c.phase_psi};
             }
-            const Constants<Number>& constants(const Course& course) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
                     return course.c;
                 else
                     return own;
             }
-            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const Constants<Number>& c = constants(course);
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& c = constants(course);
                 return {theta_rate(c, T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {

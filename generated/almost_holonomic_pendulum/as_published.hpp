@@ -349,7 +349,7 @@ private:
     }
 
     // The same as a sum, of which the second part turns little.
-    template <class Number> static Number theta_main_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
         const Number per_s = per(s);
@@ -565,24 +565,33 @@ private:
         auto margins(const Real& T) const { return layers(c, T); }
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number xi_0, theta_0, c_6;
+        };
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles(const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
-                const Constants<Number>& c = constants(course);
+            explicit Angles([[maybe_unused]] const Course& course) {
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.xi_0 = all.xi_0;
+                    own.theta_0 = all.theta_0;
+                    own.c_6 = all.c_6;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& c = constants(course);
                 start = {c.theta_0};
             }
-            const Constants<Number>& constants(const Course& course) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
                     return course.c;
                 else
                     return own;
             }
-            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const Constants<Number>& c = constants(course);
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& c = constants(course);
                 return {theta_rate(c, T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {

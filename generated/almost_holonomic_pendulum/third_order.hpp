@@ -613,7 +613,7 @@ private:
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles(const Course& course) {
+            explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (resonform::divides_rates<Number, Real>) {
                     Constants<Number> all;
                     compute_constants(course.eps, course.parameters, course.given, all);
@@ -624,13 +624,13 @@ private:
                 const auto& c = constants(course);
                 start = {c.theta_0};
             }
-            const auto& constants(const Course& course) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
                     return course.c;
                 else
                     return own;
             }
-            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
                 [[maybe_unused]] const auto& c = constants(course);
                 return {theta_rate(c, T)};
             }

@@ -316,19 +316,19 @@ private:
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles(const Course& course) {
+            explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
-                const Constants<Number>& c = constants(course);
+                const auto& c = constants(course);
                 start = {c.c_1};
             }
-            const Constants<Number>& constants(const Course& course) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
                     return course.c;
                 else
                     return own;
             }
-            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const Constants<Number>& c = constants(course);
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& c = constants(course);
                 return {chi_rate(c, T)};
             }
         };

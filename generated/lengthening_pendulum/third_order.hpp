@@ -280,7 +280,7 @@ private:
     }
 
     // The same as a sum, of which the second part turns little.
-    template <class Number> static Number theta_main_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
         const Number l = T + c.l_0;
         const Number l_2 = sqrt(l);
         const Number per_l = per(l);
@@ -451,24 +451,33 @@ private:
         auto margins(const Real& T) const { return layers(c, T); }
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number phase_phi, l_0, c_4;
+        };
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles(const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
-                const Constants<Number>& c = constants(course);
+            explicit Angles([[maybe_unused]] const Course& course) {
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.phase_phi = all.phase_phi;
+                    own.l_0 = all.l_0;
+                    own.c_4 = all.c_4;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& c = constants(course);
                 start = {c.phase_phi};
             }
-            const Constants<Number>& constants(const Course& course) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
                     return course.c;
                 else
                     return own;
             }
-            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const Constants<Number>& c = constants(course);
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& c = constants(course);
                 return {theta_rate(c, T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {

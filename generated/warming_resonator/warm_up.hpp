@@ -344,7 +344,7 @@ private:
     }
 
     // The same as a sum, of which the second part turns little.
-    template <class Number> static Number theta_main_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
         const Number q_1 = -Number(2) * T;
         const Number u = c.u_0 * exp(q_1) - c.c_1 * expm1(q_1);
         const Number s = Number(1) - u;
@@ -539,24 +539,34 @@ private:
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number theta_0, u_0, c_1, c_8;
+        };
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
-            explicit Angles(const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
-                const Constants<Number>& c = constants(course);
+            explicit Angles([[maybe_unused]] const Course& course) {
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.theta_0 = all.theta_0;
+                    own.u_0 = all.u_0;
+                    own.c_1 = all.c_1;
+                    own.c_8 = all.c_8;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& c = constants(course);
                 start = {c.theta_0};
             }
-            const Constants<Number>& constants(const Course& course) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
                     return course.c;
                 else
                     return own;
             }
-            std::array<Number, 1> operator()(const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const Constants<Number>& c = constants(course);
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& c = constants(course);
                 return {theta_rate(c, T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
