@@ -197,7 +197,7 @@ std::string CppCourse::print() const {
                               : "std::conditional_t<resonform::divides_rates<Number, Real>, "
                                 "SomeConstants<Number>, Constants<Number>>"},
          {"constants", constants()},
-         {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
+         {"edges", no_data ? "" : "            decltype(Evaluator::edges(own)) edges;\n"},
          {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
          {"starts", plan_.member_list(plan_.phase_starts, "c.")},
          {"phase_rates", phase_rates()},
