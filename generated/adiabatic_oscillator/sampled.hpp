@@ -445,7 +445,7 @@ private:
             Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
-            decltype(Evaluator::edges(c)) edges;
+            decltype(Evaluator::edges(own)) edges;
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
