@@ -36,19 +36,23 @@ struct Chosen {
     static bool at(Bits mask, int i) { return (mask >> i & 1) != 0; }
 #else
     using Bits = typename L::Bits; // 0 or -1
-    static Bits less(Vector a, Vector b) { return reinterpret_cast<Bits>(a < b); }
-    static Bits equal(Vector a, Vector b) { return reinterpret_cast<Bits>(a == b); }
     static Vector select(Bits mask, Vector a, Vector b) {
         return L::number((L::bits(a) & mask) | (L::bits(b) & ~mask));
     }
     static bool at(Bits mask, int i) { return mask[i] != 0; }
 #if RESONFORM_LANES == 4
+    static Bits less(Vector a, Vector b) { return L::bits(_mm256_cmp_pd(a, b, _CMP_LT_OS)); }
+    static Bits equal(Vector a, Vector b) { return L::bits(_mm256_cmp_pd(a, b, _CMP_EQ_OQ)); }
     static Vector larger(Vector a, Vector b) { return _mm256_max_pd(b, a); }
     static Vector smaller(Vector a, Vector b) { return _mm256_min_pd(b, a); }
 #elif defined(__SSE2__)
+    static Bits less(Vector a, Vector b) { return L::bits(_mm_cmplt_pd(a, b)); }
+    static Bits equal(Vector a, Vector b) { return L::bits(_mm_cmpeq_pd(a, b)); }
     static Vector larger(Vector a, Vector b) { return _mm_max_pd(b, a); }
     static Vector smaller(Vector a, Vector b) { return _mm_min_pd(b, a); }
 #else
+    static Bits less(Vector a, Vector b) { return reinterpret_cast<Bits>(a < b); }
+    static Bits equal(Vector a, Vector b) { return reinterpret_cast<Bits>(a == b); }
     static Vector larger(Vector a, Vector b) { return select(less(a, b), b, a); }
     static Vector smaller(Vector a, Vector b) { return select(less(b, a), b, a); }
 #endif
