@@ -118,9 +118,8 @@ TEST(BoundsOver, ANumberTimesItselfIsASquare) {
 
 // Where a function is not defined, nothing is positive: in whatever order it enters sums and products.
 TEST(BoundsOver, WhatIsNotDefinedStaysSo) {
-    const Bounds<double> through(-1, 1), above(1, 2), large(1e200, 1e300);
-    for (const Bounds<double>& bad :
-         {per(through), sqrt(through), per(Bounds<double>(0)), large * large - large * large}) {
+    const Bounds<double> through(-1, 1), above(1, 2);
+    for (const Bounds<double>& bad : {per(through), sqrt(through), per(Bounds<double>(0))}) {
         for (const Bounds<double>& all :
              {bad, bad + above, above - bad, bad * above, above * bad, magnitude(bad), bad * bad, 2.0 * bad,
               -1.0 * bad, hypot(above, bad), exp(bad), cos(bad) + above, Bounds<double>(0) * bad,
