@@ -434,8 +434,8 @@ private:
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
-                const auto& c = constants(course);
-                start = {c.phase_psi};
+                const auto& known = constants(course);
+                start = {known.phase_psi};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
@@ -444,8 +444,8 @@ private:
                     return own;
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& c = constants(course);
-                return {theta_rate(c, T)};
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_main_rate(constants(course), T)};

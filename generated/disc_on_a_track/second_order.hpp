@@ -565,8 +565,8 @@ private:
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
-                const auto& c = constants(course);
-                start = {c.c_9};
+                const auto& known = constants(course);
+                start = {known.c_9};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
@@ -575,8 +575,8 @@ private:
                     return own;
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& c = constants(course);
-                return {theta_rate(c, T)};
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
             }
         };
     };

@@ -653,7 +653,7 @@ private:
                     return own;
             }
             std::array<Number, 0> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& c = constants(course);
+                [[maybe_unused]] const auto& known = constants(course);
                 return {};
             }
         };

@@ -689,8 +689,8 @@ private:
                     own.tau_0 = all.tau_0;
                     own.c_4 = all.c_4;
                 } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
-                const auto& c = constants(course);
-                start = {c.theta_0};
+                const auto& known = constants(course);
+                start = {known.theta_0};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
@@ -699,8 +699,8 @@ private:
                     return own;
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& c = constants(course);
-                return {theta_rate(c, T)};
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_main_rate(constants(course), T)};

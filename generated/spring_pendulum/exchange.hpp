@@ -550,8 +550,8 @@ private:
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
-                const auto& c = constants(course);
-                start = {c.c_11, c.c_11};
+                const auto& known = constants(course);
+                start = {known.c_11, known.c_11};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
@@ -560,8 +560,8 @@ private:
                     return own;
             }
             std::array<Number, 2> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& c = constants(course);
-                return {theta_1_rate(c, T), theta_2_rate(c, T)};
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_1_rate(known, T), theta_2_rate(known, T)};
             }
         };
     };

@@ -826,8 +826,8 @@ private:
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
-                const auto& c = constants(course);
-                start = {c.c_12, c.c_12, c.c_12};
+                const auto& known = constants(course);
+                start = {known.c_12, known.c_12, known.c_12};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>)
@@ -836,8 +836,8 @@ private:
                     return own;
             }
             std::array<Number, 3> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& c = constants(course);
-                return {theta_1_rate(c, T), theta_2_rate(c, T, widened<Number>(row)), chi_rate(c, T, widened<Number>(row))};
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_1_rate(known, T), theta_2_rate(known, T, widened<Number>(row)), chi_rate(known, T, widened<Number>(row))};
             }
         };
     };

@@ -80,7 +80,7 @@ std::string CppCourse::conditions() const {
 std::string CppCourse::phase_rates() const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k],
+        list.push_back(fmt::format("{}_rate(known, T{})", plan_.phase_names[k],
                                    plan_.phase_uses_tables[k] ? ", widened<Number>(row)" : ""));
     return fmt::format("{}", fmt::join(list, ", "));
 }
@@ -138,7 +138,7 @@ std::string CppCourse::constants() const {
         otherwise = "                } else ";
     }
     return fmt::format("{}{}if constexpr (!std::is_same_v<Number, Real>) {};\n"
-                       "                const auto& c = constants(course);\n",
+                       "                const auto& known = constants(course);\n",
                        some, otherwise, call);
 }
 
@@ -198,8 +198,8 @@ std::string CppCourse::print() const {
                                 "SomeConstants<Number>, Constants<Number>>"},
          {"constants", constants()},
          {"edges", no_data ? "" : "            decltype(Evaluator::edges(own)) edges;\n"},
-         {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
-         {"starts", plan_.member_list(plan_.phase_starts, "c.")},
+         {"find_edges", no_data ? "" : "                edges = Evaluator::edges(known);\n"},
+         {"starts", plan_.member_list(plan_.phase_starts, "known.")},
          {"phase_rates", phase_rates()},
          {"divided", divided_rates()},
          {"arguments", arguments()},
