@@ -36,9 +36,7 @@ public:
     // The members that are answered. full_phase: to all digits of a double.
     Mask reach(Mask members, bool full_phase) {
         const Pack T = eps_ * t_;
-        if constexpr (requires { course_.margins(T); })
-            members = members &
-                      clear_beyond_doubt([this](const Pack& x) { return course_.margins(x); }, Pack(0), T);
+        if constexpr (requires { course_.margins(T); }) members = members & clear_of_doubt(course_, T);
         Mask open = members, done = members & ~members;
         if (!full_phase || Course::angles == 0) {
             done = integrate<Pack>(T, open, plain_radians);

@@ -71,8 +71,8 @@ public:
         const Real least = Real(1e-250); // what holds at t = 0 holds there
         Real end = T < least ? least : T;
         if constexpr (requires { course_.margins(T); }) {
-            const auto margins = [this](const Real& x) { return course_.margins(x); };
-            if (!clear_beyond_doubt(margins, Real(0), end)) {
+            if (!clear_of_doubt(course_, end)) {
+                const auto margins = [this](const Real& x) { return course_.margins(x); };
                 beyond_ = clear_of_layers(margins, Nameless{}, end, Course::samples).status;
                 if (!(Real(0) < end)) return beyond_;
             }
@@ -93,11 +93,15 @@ private:
         const typename Course::template Angles<Number> turning(course_);
         if (turning.lost.status != Status::ok) return turning.lost.status;
         if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
-            too_long_ = is_too_long(turning(Number(0), course_.start()), end);
+            too_long_ = is_too_long(first_rates(turning), end);
             if (too_long_) return Status::ok;
         }
         FinalSums<Real, Course, Number> sums(course_, turning);
         if (const Status status = sums.integrate(end); status != Status::ok) return status;
+        if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
+            too_long_ = !sums.turns_little();
+            if (too_long_) return Status::ok;
+        }
         tables = at_start_ ? course_.start() : sums.tables();
         Status status = Status::ok;
         const auto angle = [&](std::size_t k) {
@@ -120,6 +124,14 @@ private:
             turn(theta, cosine[k], sine[k]);
         }
         return beyond_ == Status::ok ? status : beyond_;
+    }
+
+    template <class Turning> [[nodiscard]] auto first_rates(const Turning& turning) const {
+        using Number = typename std::remove_cvref_t<decltype(turning.start)>::value_type;
+        if constexpr (requires { turning.small(course_, Real(0)); })
+            return turning.main(course_, Number(0), course_.start());
+        else
+            return turning(course_, Number(0), course_.start());
     }
 
     // Whether a phase would turn too far at its first rate, before anything is integrated.

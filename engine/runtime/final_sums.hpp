@@ -31,6 +31,13 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
     return result;
 }
 
+// Rates of phases may be summed in two types: Number has more digits than Real, but not twice as many, or not
+// to have them all.
+template <class Number, class Real>
+inline constexpr bool divides_rates =
+    !std::is_same_v<Number, Real> &&
+    (!std::is_same_v<Number, WideNumber<Real>> || !std::is_same_v<typename OneOf<Real>::type, Real>);
+
 // Course: the integrands that the emitted class of a scene has. Columns are values of the flow and of tables.
 // The rates of a level depend on the columns of earlier levels; those of a flow, level 0, on its own.
 //
@@ -46,7 +53,10 @@ std::array<Real, Count> first(const std::array<Real, All>& all) {
 //                                     const std::array<Real, columns>&) const;
 //   template <class Number> struct Angles {
 //       explicit Angles(const Course&); Cause lost; std::array<Number, angles> start;
-//       std::array<Number, angles> operator()(const Number& T, const std::array<Real, columns>&) const;
+//       std::array<Number, angles> operator()(const Course&, const Number& T,
+//                                             const std::array<Real, columns>&) const;
+//       std::array<Number, angles> main(...) const;     the same as a sum, where some
+//       std::array<Real, angles> small(const Course&, const Real& T) const;      rates are divided
 //   };
 //   std::array<Real, m> margins(const Real& T) const;                            of layers, if there are any;
 //   std::array<Real, m> margins(const Real& T, const std::array<Real, columns>&) const;      or of the flow
@@ -64,6 +74,13 @@ public:
 
     [[nodiscard]] const Columns& tables() const { return tables_; }
     [[nodiscard]] const std::array<Number, phases>& angles() const { return angles_; } // without their start
+
+    static constexpr bool divides =
+        divides_rates<Number, Real> && requires(const Turning& turning, const Course& course) {
+        turning.small(course, Real());
+    };
+    // Whether what Real sums turns by so little that the digits of Real suffice.
+    [[nodiscard]] auto turns_little() const { return largest_small_ * right_ < Real(0.25); }
 
     // Status as fit_panels: overflow, outside_domain; that of a flow, or where margins are in doubt, says no
     // more than that there is no result.
@@ -124,6 +141,7 @@ public:
             left = right;
         }
         auto resolved = ~(worst > Real(1));
+        if constexpr (divides) resolved = resolved & turns_little();
         for (const Real& table : tables_) resolved = resolved & (table - table == Real(0));
         for (const Number& angle : angles_) resolved = resolved & (narrow(angle - angle) == Real(0));
         return resolved;
@@ -151,7 +169,7 @@ private:
     }
 
     Status turn_steadily(const Number& end) {
-        const std::array<Number, phases> rate = turning_(end, tables_);
+        const std::array<Number, phases> rate = turning_(course_, end, tables_);
         for (std::size_t k = 0; k < phases; ++k) {
             if constexpr (!several)
                 if (!math::finite(narrow(rate[k]))) return fault<Real>(rate);
@@ -165,6 +183,7 @@ private:
         half_ = (right - left) / Number(2);
         right_ = narrow(right);
         rest_ = Real(0);
+        panel_small_ = {};
         const Real middle = narrow(middle_), half = narrow(half_);
         for (std::size_t j = 0; j < n; ++j) T_[j] = middle + half * Real(gauss_.node[j]);
         AngleSums angle = angle_sums(std::make_index_sequence<phases>());
@@ -273,15 +292,37 @@ private:
         return Status::ok;
     }
 
-    void add_angles(std::size_t j, AngleSums& sum) const {
-        const std::array<Number, phases> rate = turning_(place(j), at_node_[j]);
-        for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
+    [[nodiscard]] std::array<Number, phases> rates_at(std::size_t j) const {
+        if constexpr (divides) {
+            std::array<Number, phases> rate = turning_.main(course_, place(j), at_node_[j]);
+            const std::array<Real, phases> small = turning_.small(course_, T_[j]);
+            for (std::size_t k = 0; k < phases; ++k) rate[k] = rate[k] + Number(small[k]);
+            return rate;
+        } else {
+            return turning_(course_, place(j), at_node_[j]);
+        }
+    }
+
+    void add_angles(std::size_t j, AngleSums& sum) {
+        if constexpr (divides) {
+            const std::array<Number, phases> main = turning_.main(course_, place(j), at_node_[j]);
+            const std::array<Real, phases> small = turning_.small(course_, T_[j]);
+            for (std::size_t k = 0; k < phases; ++k) {
+                sum[k].add(j, main[k], Seen(static_cast<Seen>(main[k]) + Seen(small[k])));
+                panel_small_[k] = panel_small_[k] + Real(gauss_.weight[j]) * small[k];
+                largest_small_ = math::larger(largest_small_, Real(math::magnitude(small[k])));
+            }
+        } else {
+            const std::array<Number, phases> rate = rates_at(j);
+            for (std::size_t k = 0; k < phases; ++k) sum[k].add(j, rate[k]);
+        }
     }
 
     Status angles_of_panel(AngleSums& sum) {
         if constexpr (!together && phases > 0)
             for (std::size_t j = 0; j < n; ++j) add_angles(j, sum);
         for (std::size_t k = 0; k < phases; ++k) {
+            if constexpr (divides) sum[k].whole = sum[k].whole + Number(panel_small_[k]);
             if constexpr (!several)
                 if (!math::finite(narrow(sum[k].whole))) return fault_of_angle(k);
             panel_angles_[k] = half_ * sum[k].whole;
@@ -298,7 +339,7 @@ private:
 
     Status fault_of_angle(std::size_t k) const {
         std::array<Number, n> values;
-        for (std::size_t j = 0; j < n; ++j) values[j] = turning_(place(j), at_node_[j])[k];
+        for (std::size_t j = 0; j < n; ++j) values[j] = rates_at(j)[k];
         return fault<Real>(values);
     }
 
@@ -307,7 +348,7 @@ private:
         if constexpr (std::is_same_v<Number, Real>)
             return T_[j];
         else
-            return middle_ + half_ * Number(gauss_wide_.node[j]);
+            return added_product(middle_, half_, Number(gauss_wide_.node[j]));
     }
 
     // Of the last coefficient of a phase that is about `size`, relative to its rate: the error is to be below
@@ -342,12 +383,12 @@ private:
     const Course& course_;
     const Turning& turning_;
     Number middle_{}, half_{};
-    Real right_{}, rest_{};
+    Real right_{}, rest_{}, largest_small_{};
     std::array<Real, n> T_;
     std::array<Columns, n> at_node_{};
     Columns tables_, sizes_{}, panel_{}, panel_sizes_{};
     std::array<Number, phases> angles_{}, panel_angles_{};
-    std::array<Real, phases> angle_sizes_{}, panel_angle_sizes_{};
+    std::array<Real, phases> angle_sizes_{}, panel_angle_sizes_{}, panel_small_{};
 };
 
 } // namespace resonform

@@ -101,6 +101,11 @@ private:
 // Nodes and weights for a number, or for the lanes of several.
 template <class Number, std::size_t n> using GaussFor = Gauss<typename OneOf<Number>::type, n>;
 
+// sum + a b; numbers of several parts have their own.
+template <class Number> Number added_product(const Number& sum, const Number& a, const Number& b) {
+    return sum + a * b;
+}
+
 // A sum over the nodes, value by value, with what tells whether it is resolved in the type Seen.
 template <class Number, class Seen, std::size_t n> struct GaussSum {
     const GaussFor<Number, n>& gauss;
@@ -108,9 +113,10 @@ template <class Number, class Seen, std::size_t n> struct GaussSum {
     Number whole = Number(0);
     Seen last = Seen(0), before = Seen(0), size = Seen(0); // coefficients; the largest value
 
-    void add(std::size_t j, const Number& number) {
-        const Seen value = static_cast<Seen>(number);
-        whole = whole + Number(gauss.weight[j]) * number;
+    void add(std::size_t j, const Number& number) { add(j, number, static_cast<Seen>(number)); }
+    // value: what is judged, if there is more to the integrand than `number`.
+    void add(std::size_t j, const Number& number, const Seen& value) {
+        whole = added_product(whole, Number(gauss.weight[j]), number);
         last = last + Seen(seen.last[0][j]) * value;
         before = before + Seen(seen.last[1][j]) * value;
         size = math::larger(size, Seen(math::magnitude(value)));

@@ -7,6 +7,7 @@
 #ifndef RESONFORM_RUNTIME_LAYER
 #define RESONFORM_RUNTIME_LAYER
 
+#include "runtime/bounds.hpp"
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
 
@@ -152,7 +153,7 @@ Answer clear_beyond_doubt(const Margins& margins, const Real& left, const Real& 
         const auto value = margins(Real(middle + half * Real(node[j])));
         for (std::size_t k = 0; k < value.size(); ++k) {
             const Real next = math::magnitude(Real(value[k] - before[k]));
-            room[k] = math::smaller(room[k], Real(before[k] - step[k] - next));
+            room[k] = lesser(room[k], Real(before[k] - step[k] - next));
             step[k] = next;
             last[k] = last[k] + Real(seventh[j]) * value[k];
             last_but_one[k] = last_but_one[k] + Real(sixth[j]) * value[k];
@@ -161,7 +162,7 @@ Answer clear_beyond_doubt(const Margins& margins, const Real& left, const Real& 
     }
     for (std::size_t k = 0; k < before.size(); ++k) {
         const Real unseen = Real(8) * (math::magnitude(last[k]) + math::magnitude(last_but_one[k]));
-        clear = clear & (math::smaller(room[k], Real(before[k] - step[k])) > unseen);
+        clear = clear & (lesser(room[k], Real(before[k] - step[k])) > unseen); // a number, if all are
     }
     if (halvings == 0 || clear) return clear;
     const Answer first = clear_beyond_doubt(margins, left, middle, halvings - 1);
@@ -169,6 +170,22 @@ Answer clear_beyond_doubt(const Margins& margins, const Real& left, const Real& 
         return first && clear_beyond_doubt(margins, middle, right, halvings - 1);
     } else {
         return clear | (first & clear_beyond_doubt(margins, middle, right, halvings - 1));
+    }
+}
+
+// The same for the margins of a scene on [0, end]: first by bounds over all of it, which are no estimate, if
+// its functions have them.
+template <class Course, class Real, class Answer = decltype(std::declval<Real>() < std::declval<Real>())>
+Answer clear_of_doubt(const Course& course, const Real& end) {
+    const auto margins = [&course](const Real& T) { return course.margins(T); };
+    if constexpr (requires { course.margins(Bounds<Real>(end)); }) {
+        Answer clear = Real(0) < end;
+        for (const Bounds<Real>& margin : course.margins(Bounds<Real>(Real(0), end)))
+            clear = clear & margin.is_positive();
+        if (clear) return clear;
+        return clear | clear_beyond_doubt(margins, Real(0), end);
+    } else {
+        return clear_beyond_doubt(margins, Real(0), end);
     }
 }
 

@@ -1,139 +1,20 @@
 // SPDX-License-Identifier: MIT
-// A number type that is as many doubles wide as the processor computes at once, or twice as many where its
-// registers suffice, since what follows upon each other takes long: an emitted function that is called with
-// it evaluates several sets of arguments. A lane's bits do not depend on the other lanes.
-//
-// Comparisons are made lane by lane; a Mask is true where all lanes are. Functions want arguments of moderate
-// size: beyond it (cosines of more than 2^23, squares of hypot out of range) a lane is not a number.
+// Functions of several doubles side by side, as emitted code calls them. They want arguments of moderate
+// size: beyond it (cosines of more than 2^23, squares of hypot and asinh out of range) a lane is not a
+// number.
 #ifndef RESONFORM_RUNTIME_PACK
 #define RESONFORM_RUNTIME_PACK
 
 #include "runtime/in_range.hpp"
 #include "runtime/kernel/block.hpp"
+#include "runtime/pack_lanes.hpp"
 #include "runtime/spline.hpp"
-#include "runtime/twice.hpp"
 
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
-
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
 namespace resonform::kernel {
 inline namespace RESONFORM_WIDTH {
-
-inline constexpr int vectors = lanes == 8 ? 2 : 1, pack_lanes = vectors * lanes;
-
-struct Mask {
-    typename Lanes<lanes>::Bits bits[vectors]; // 0 or -1
-
-    template <class Function, class... Masks> static Mask of(const Function& f, const Masks&... x) {
-        Mask result;
-        RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) result.bits[k] = f(x.bits[k]...);
-        return result;
-    }
-    explicit operator bool() const {
-        long long all = -1;
-        for (int i = 0; i < pack_lanes; ++i) all &= bits[i / lanes][i % lanes];
-        return all != 0;
-    }
-    [[nodiscard]] bool any() const {
-        long long some = 0;
-        for (int i = 0; i < pack_lanes; ++i) some |= bits[i / lanes][i % lanes];
-        return some != 0;
-    }
-    bool operator[](std::size_t i) const { return bits[i / lanes][i % lanes] != 0; }
-    friend Mask operator&(const Mask& a, const Mask& b) {
-        return of([](auto x, auto y) { return x & y; }, a, b);
-    }
-    friend Mask operator|(const Mask& a, const Mask& b) {
-        return of([](auto x, auto y) { return x | y; }, a, b);
-    }
-    friend Mask operator~(const Mask& a) {
-        return of([](auto x) { return ~x; }, a);
-    }
-};
-
-struct Pack {
-    using L = Lanes<lanes>;
-    typename L::Vector v[vectors]{};
-
-    Pack() = default;
-    template <class Number>
-    requires std::is_arithmetic_v<Number>
-    explicit Pack(Number x) {
-        RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) v[k] = L::all(static_cast<double>(x));
-    }
-    // Vector by vector.
-    template <class Function, class... Packs>
-    [[gnu::always_inline]] static Pack of(const Function& f, const Packs&... x) {
-        Pack result;
-        RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) result.v[k] = f(x.v[k]...);
-        return result;
-    }
-    template <class Function, class... Packs>
-    [[gnu::always_inline]] static Mask where(const Function& f, const Packs&... x) {
-        Mask result;
-        RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) result.bits[k] =
-            reinterpret_cast<typename L::Bits>(f(x.v[k]...));
-        return result;
-    }
-    static Pack load(const double* x) {
-        Pack result;
-        RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) result.v[k] = L::load(x + k * lanes);
-        return result;
-    }
-    void store(double* x) const {
-        RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) L::store(x + k * lanes, v[k]);
-    }
-    double operator[](std::size_t i) const { return v[i / lanes][i % lanes]; }
-    void set(std::size_t i, double x) { v[i / lanes][i % lanes] = x; }
-
-    [[gnu::always_inline]] friend Pack operator-(const Pack& a) {
-        return of([](auto x) { return -x; }, a);
-    }
-    [[gnu::always_inline]] friend Pack operator+(const Pack& a, const Pack& b) {
-        return of([](auto x, auto y) { return x + y; }, a, b);
-    }
-    [[gnu::always_inline]] friend Pack operator-(const Pack& a, const Pack& b) {
-        return of([](auto x, auto y) { return x - y; }, a, b);
-    }
-    [[gnu::always_inline]] friend Pack operator*(const Pack& a, const Pack& b) {
-        return of([](auto x, auto y) { return x * y; }, a, b);
-    }
-    [[gnu::always_inline]] friend Pack operator/(const Pack& a, const Pack& b) {
-        return of([](auto x, auto y) { return x / y; }, a, b);
-    }
-    friend Mask operator<(const Pack& a, const Pack& b) {
-        return where([](auto x, auto y) { return x < y; }, a, b);
-    }
-    friend Mask operator>(const Pack& a, const Pack& b) { return b < a; }
-    friend Mask operator==(const Pack& a, const Pack& b) {
-        return where([](auto x, auto y) { return x == y; }, a, b);
-    }
-};
-
-// Where the mask is true a, else b.
-inline Pack select(const Mask& mask, const Pack& a, const Pack& b) {
-    using L = Pack::L;
-    Pack result;
-    RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) result.v[k] =
-        L::number((L::bits(a.v[k]) & mask.bits[k]) | (L::bits(b.v[k]) & ~mask.bits[k]));
-    return result;
-}
-inline Pack magnitude(const Pack& a) {
-    using L = Pack::L;
-    return Pack::of([](auto x) { return L::number(L::bits(x) & ~(1LL << 63)); }, a);
-}
-
-// Lane by lane.
-template <class Function, class... Packs> Pack each(const Function& f, const Packs&... x) {
-    Pack result;
-    for (std::size_t i = 0; i < pack_lanes; ++i) result.set(i, f(x[i]...));
-    return result;
-}
 
 #if RESONFORM_LANES == 8
 // 1/x but for a last bit, in a third of the time of a division: Newton steps from 14 bits. Not a number where
@@ -149,21 +30,18 @@ inline Pack reciprocal(const Pack& x) {
         },
         x);
 }
-// The same of sqrt(x) and 1/(2 sqrt(x)), x >= 0 finite; 0 and 0 for 0.
+// The same of sqrt(x), x >= 0 finite, and half of the digits of 1/(2 sqrt(x)); 0 and 0 for 0.
 inline Pack root_and_half(const Pack& x, Pack& half) {
     using L = Pack::L;
     using Vector = typename L::Vector;
     Pack result;
     RESONFORM_UNROLL for (int k = 0; k < vectors; ++k) {
         const Vector y = _mm512_maskz_rsqrt14_pd(_mm512_cmpneq_pd_mask(x.v[k], Vector{}), x.v[k]);
-        Vector root = x.v[k] * y, h = L::all(0.5) * y;
-        for (int step = 0; step < 2; ++step) {
-            const Vector rest = L::multiply_add(-root, h, L::all(0.5));
-            root = L::multiply_add(root, rest, root);
-            h = L::multiply_add(h, rest, h);
-        }
-        half.v[k] = h;
-        result.v[k] = L::multiply_add(L::multiply_add(-root, root, x.v[k]), h, root);
+        const Vector rough = x.v[k] * y, h = L::all(0.5) * y;
+        const Vector rest = L::multiply_add(-rough, h, L::all(0.5));
+        const Vector root = L::multiply_add(rough, rest, rough);
+        half.v[k] = L::multiply_add(h, rest, h);
+        result.v[k] = L::multiply_add(L::multiply_add(-root, root, x.v[k]), half.v[k], root);
     }
     return result;
 }
@@ -227,9 +105,6 @@ inline Pack hypot(const Pack& x, const Pack& y) {
     return select(fits | ((x == Pack(0)) & (y == Pack(0))), sqrt(square), Pack(NAN));
 }
 
-inline Pack asinh(const Pack& x) {
-    return each([](double y) { return std::asinh(y); }, x);
-}
 inline Pack erf(const Pack& x) {
     return each([](double y) { return std::erf(y); }, x);
 }
@@ -239,12 +114,42 @@ inline Pack exp(const Pack& x) {
 inline Pack expm1(const Pack& x) {
     return each([](double y) { return std::expm1(y); }, x);
 }
+// log(y) + c/y as fdlibm's log1p makes it, y > 0 neither subnormal nor infinite, |c| below the last place of
+// y.
+inline Pack log_and_rest(const Pack& y, const Pack& c) {
+    using L = Pack::L;
+    using Whole = unsigned long long __attribute__((vector_size(sizeof(L::Bits))));
+    constexpr unsigned long long one = 0x3ff0000000000000, half_root = 0x3fe6a09e00000000;
+    Pack f, k; // y = 2^k (1 + f), 1 + f between sqrt(1/2) and sqrt(2)
+    RESONFORM_UNROLL for (int i = 0; i < vectors; ++i) {
+        const Whole bits = reinterpret_cast<Whole>(y.v[i]) + (one - half_root);
+        k.v[i] = reinterpret_cast<L::Vector>((bits >> 52) | 0x4330000000000000) - L::all(0x1p52 + 1023);
+        f.v[i] = reinterpret_cast<L::Vector>((bits & ((1ULL << 52) - 1)) + half_root) - L::all(1);
+    }
+    const Pack half_square = Pack(0.5) * f * f, s = f * reciprocal(Pack(2) + f), z = s * s, w = z * z;
+    const Pack even = w * (Pack(3.999999999940942e-01) +
+                           w * (Pack(2.222219843214978e-01) + w * Pack(1.531383769920937e-01)));
+    const Pack odd = z * (Pack(6.666666666666735e-01) +
+                          w * (Pack(2.857142874366239e-01) +
+                               w * (Pack(1.818357216161805e-01) + w * Pack(1.479819860511659e-01))));
+    const Pack high(6.93147180369123816490e-01), low(1.90821492927058770002e-10); // of log 2
+    return s * (half_square + (odd + even)) + (k * low + c * reciprocal(y)) - half_square + f + k * high;
+}
 inline Pack log(const Pack& x) {
-    return each([](double y) { return std::log(y); }, x);
+    const Mask known = (x > Pack(0x1p-1000)) & (x < Pack(0x1p1000));
+    return select(known, log_and_rest(x, Pack(0)), Pack(NAN));
 }
 inline Pack log1p(const Pack& x) {
-    return each([](double y) { return std::log1p(y); }, x);
+    const Pack y = Pack(1) + x, c = select(y < Pack(2), x - (y - Pack(1)), Pack(1) - (y - x));
+    const Mask known = (y > Pack(0x1p-1000)) & (y < Pack(0x1p1000));
+    return select(known, log_and_rest(y, c), Pack(NAN));
 }
+inline Pack asinh(const Pack& x) {
+    const Pack size = magnitude(x), square = x * x;
+    const Pack result = log1p(size + square * reciprocal(Pack(1) + sqrt(Pack(1) + square)));
+    return select(x < Pack(0), -result, result);
+}
+
 inline Pack sinh(const Pack& x) {
     return each([](double y) { return std::sinh(y); }, x);
 }
@@ -266,10 +171,11 @@ template <> inline kernel::Pack magnitude<kernel::Pack>(const kernel::Pack& x) {
 template <> inline bool finite<kernel::Pack>(const kernel::Pack& x) { return bool(x - x == kernel::Pack(0)); }
 // NOLINTNEXTLINE(misc-redundant-expression): as the template
 template <> inline kernel::Pack per<kernel::Pack>(const kernel::Pack& x) {
+    if constexpr (kernel::lanes == 8) return kernel::reciprocal(x);
     return kernel::reciprocal(x) + (x - x);
 }
 template <> inline kernel::Pack larger<kernel::Pack>(const kernel::Pack& a, const kernel::Pack& b) {
-    return select(a < b, b, a);
+    return kernel::larger(a, b);
 }
 template <> inline kernel::Pack smaller<kernel::Pack>(const kernel::Pack& a, const kernel::Pack& b) {
     return select((b < a) | ~(b == b), b, a);

@@ -40,12 +40,27 @@ struct PackPair {
     friend PackPair operator-(const PackPair& a, const PackPair& b) { return a + (-b); }
     friend PackPair operator*(const PackPair& a, const PackPair& b) {
         const PackPair p = product(a.high, b.high);
-        return sorted_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+        return sorted_sum(p.high, a.high * b.low + (a.low * b.high + p.low));
+    }
+    // c - a b, where that is small
+    static Pack rest(const Pack& a, const Pack& b, const Pack& c) {
+#if defined(__FMA__)
+        return Pack::of([](auto x, auto y, auto z) { return Pack::L::multiply_add(-x, y, z); }, a, b, c);
+#else
+        const PackPair p = product(a, b);
+        return (c - p.high) - p.low;
+#endif
+    }
+    // sum + a b; `low` may grow to a few units of the last place of `high`.
+    friend PackPair added_product(const PackPair& sum, const PackPair& a, const PackPair& b) {
+        const PackPair p = product(a.high, b.high);
+        const Pack s = sum.high + p.high, part = s - sum.high;
+        const Pack rest = (sum.high - (s - part)) + (p.high - part);
+        return {s, (rest + sum.low) + (a.high * b.low + (a.low * b.high + p.low))};
     }
     friend PackPair operator/(const PackPair& a, const PackPair& b) {
         const Pack inverse = reciprocal(b.high), q = a.high * inverse;
-        const PackPair p = product(q, b.high);
-        return sorted_sum(q, (((a.high - p.high) - p.low) + (a.low - q * b.low)) * inverse);
+        return sorted_sum(q, (rest(q, b.high, a.high) + (a.low - q * b.low)) * inverse);
     }
     friend Mask operator<(const PackPair& a, const PackPair& b) { return (a - b).high < Pack(0); }
     friend Mask operator>(const PackPair& a, const PackPair& b) { return b < a; }
@@ -56,17 +71,14 @@ struct PackPair {
 
 inline PackPair reciprocal(const PackPair& x) {
     const Pack inverse = reciprocal(x.high);
-    const PackPair one = PackPair::product(x.high, inverse);
-    const Pack rest = ((Pack(1) - one.high) - one.low) - x.low * inverse;
+    const Pack rest = PackPair::rest(x.high, inverse, Pack(1)) - x.low * inverse;
     return PackPair::sorted_sum(inverse, inverse * rest);
 }
 
 inline PackPair sqrt(const PackPair& x) {
     Pack half;
     const Pack root = root_and_half(x.high, half);
-    const PackPair square = PackPair::product(root, root);
-    const Pack rest = ((x.high - square.high) - square.low) + x.low;
-    return PackPair::sorted_sum(root, rest * half);
+    return PackPair::sorted_sum(root, (PackPair::rest(root, root, x.high) + x.low) * half);
 }
 
 // Lane by lane.

@@ -162,6 +162,7 @@ private:
         Number c_12{};
         Number c_13{};
         Number c_14{};
+        Number c_15{};
     };
 
     template <class Number> static void compute_constants(
@@ -181,20 +182,21 @@ private:
         c.phase_psi = atan2(k_4, k_8);
         c.c_1 = Number(1) / c.eps;
         c.c_2 = Number(1) / Number(2) * k_5;
+        c.c_3 = -Number(1) / Number(2) * c.eps;
         const Number k_9 = Number(1) + k_3;
         const Number k_10 = sqrt(k_9) * (Number(1) / k_9);
         const Number k_11 = hypot(k_8, k_4);
         const Number k_12 = Number(1) / (Number(1) + Number(1) / Number(8) * k_3 * k_5);
-        c.c_3 = k_10 * k_11 * c.c_1 * k_12;
-        c.c_4 = k_10 * (Number(1) / Number(2)) * k_11 * c.c_1 * k_12;
-        c.c_5 = k_10 * (Number(1) / Number(8)) * k_11 * c.c_1 * k_12;
-        c.c_6 = k_10 * (Number(1) / Number(4)) * k_11 * c.c_1 * k_12;
-        c.c_7 = k_5 * c.eps;
-        c.c_8 = k_10 * k_11 * k_12;
-        c.c_9 = k_10 * (-Number(1) / Number(2)) * c.eps * k_11 * k_12;
-        c.c_10 = c.tau_0 + Number(80);
+        c.c_4 = k_10 * k_11 * c.c_1 * k_12;
+        c.c_5 = k_10 * (Number(1) / Number(2)) * k_11 * c.c_1 * k_12;
+        c.c_6 = k_10 * (Number(1) / Number(8)) * k_11 * c.c_1 * k_12;
+        c.c_7 = k_10 * (Number(1) / Number(4)) * k_11 * c.c_1 * k_12;
+        c.c_8 = k_5 * c.eps;
+        c.c_9 = k_10 * k_11 * k_12;
+        c.c_10 = k_10 * (-Number(1) / Number(2)) * c.eps * k_11 * k_12;
+        c.c_11 = c.tau_0 + Number(80);
         const Number k_13 = k_5 * k_5;
-        c.c_11 = Number(1) - Number(1) / Number(16) * k_13 * (k_3 * k_3);
+        c.c_12 = Number(1) - Number(1) / Number(16) * k_13 * (k_3 * k_3);
         const Number k_14 = c.c_1 * c.c_1;
         const Number k_15 = sin(c.phase_psi);
         const Number k_16 = Number(1) / Number(4) + Number(1) / Number(8) * k_3;
@@ -207,9 +209,9 @@ private:
         const Number k_23 = k_22 - Number(1) / Number(2) * c.tau_0 * k_11 * c.c_1 * k_17;
         const Number k_24 = k_11 * c.c_1 * k_17 + c.eps * k_20 - psi_0 * c.c_1;
         const Number k_25 = k_11 * c.c_1 * k_15 + k_9 * psi_dot_0 * c.c_1 + c.eps * k_23;
-        c.c_12 = k_13 * k_13 + k_14 * (psi_0 * psi_0) + k_14 * (k_9 * k_9) * (psi_dot_0 * psi_dot_0) + k_5 * (k_20 * k_20) + k_5 * (k_23 * k_23) - Number(4) * (k_24 * k_24 + k_25 * k_25);
-        c.c_13 = Number(4) * c.eps;
-        c.c_14 = Number(1) / Number(4) * k_5;
+        c.c_13 = k_13 * k_13 + k_14 * (psi_0 * psi_0) + k_14 * (k_9 * k_9) * (psi_dot_0 * psi_dot_0) + k_5 * (k_20 * k_20) + k_5 * (k_23 * k_23) - Number(4) * (k_24 * k_24 + k_25 * k_25);
+        c.c_14 = Number(4) * c.eps;
+        c.c_15 = Number(1) / Number(4) * k_5;
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -218,22 +220,23 @@ private:
         keep(from.phase_psi, c.phase_psi, "phase_psi");
         keep(from.c_1, c.c_1, "c_1 in theta");
         keep(from.c_2, c.c_2, "c_2 in theta");
-        keep(from.c_3, c.c_3, "c_3 in psi_1");
-        keep(from.c_4, c.c_4, "c_4 in psi");
+        keep(from.c_3, c.c_3, "c_3");
+        keep(from.c_4, c.c_4, "c_4 in psi_1");
         keep(from.c_5, c.c_5, "c_5 in psi");
         keep(from.c_6, c.c_6, "c_6 in psi");
         keep(from.c_7, c.c_7, "c_7 in psi");
         keep(from.c_8, c.c_8, "c_8 in psi");
         keep(from.c_9, c.c_9, "c_9 in psi");
-        keep(from.c_10, c.c_10, "c_10 in 80 + tau");
-        keep(from.c_13, c.c_13, "c_13 in 2/(tau^2 + 1)");
-        keep(from.c_14, c.c_14, "c_14 in psi");
+        keep(from.c_10, c.c_10, "c_10 in psi");
+        keep(from.c_11, c.c_11, "c_11 in 80 + tau");
+        keep(from.c_14, c.c_14, "c_14 in 2/(tau^2 + 1)");
+        keep(from.c_15, c.c_15, "c_15 in psi");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_11 > From(0))) return {Status::outside_domain, "psi"};
         if (!(from.c_12 > From(0))) return {Status::outside_domain, "psi"};
+        if (!(from.c_13 > From(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -258,16 +261,16 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 3> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 3> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number s = tau * tau + Number(1);
         const Number theta_dot_0 = per(s);
         const Number q_1 = theta_dot_0 * theta_dot_0;
         const Number q_2 = Number(4) * q_1;
-        const Number q_3 = c.c_13 * tau * q_1;
+        const Number q_3 = c.c_14 * tau * q_1;
         const Number q_4 = magnitude(tau);
-        return {Number(q_2 - q_3), Number(q_2 + q_3), Number(Number(1) - c.c_14 * (q_4 * q_4))};
+        return {Number(q_2 - q_3), Number(q_2 + q_3), Number(Number(1) - c.c_15 * (q_4 * q_4))};
     }
 
     // dtheta/dT
@@ -277,6 +280,22 @@ private:
         const Number s = q_1 + Number(1);
         const Number theta_dot_0 = per(s);
         return c.c_1 * (theta_dot_0 - c.c_2 * q_1 * theta_dot_0);
+    }
+
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number s = tau * tau + Number(1);
+        const Number theta_dot_0 = per(s);
+        return c.c_1 * theta_dot_0;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number q_1 = tau * tau;
+        const Number s = q_1 + Number(1);
+        const Number theta_dot_0 = per(s);
+        return c.c_3 * q_1 * theta_dot_0;
     }
 
     // What differs from call to call.
@@ -290,10 +309,10 @@ private:
         const Real q_1 = tau * tau;
         const Real s = q_1 + Real(1);
         const Real s_2 = sqrt(s);
-        const Real psi_1 = c.c_3 * s_2 * a.cos_theta;
-        const Real q_2 = c.eps * s_2 * a.cos_theta * (-c.c_5 * q_1 - c.c_6) - c.c_4 * tau * s_2 * a.sin_theta;
+        const Real psi_1 = c.c_4 * s_2 * a.cos_theta;
+        const Real q_2 = c.eps * s_2 * a.cos_theta * (-c.c_6 * q_1 - c.c_7) - c.c_5 * tau * s_2 * a.sin_theta;
         if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
-        if (!(a.T + c.c_10 > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_11 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (psi_1 + c.eps * q_2);
         return finite(values.psi) ? Status::ok : Status::overflow;
     }
@@ -307,8 +326,8 @@ private:
         const Number s_2 = sqrt(s);
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(Number(80) - tau > Number(0) && T + c.c_10 > Number(0))) return none;
-        return {Number(c.c_7 * s_2 * (-c.c_5 * q_1 - c.c_6) + c.c_8 * s_2), Number(c.c_9 * tau * s_2)};
+        if (!(Number(80) - tau > Number(0) && T + c.c_11 > Number(0))) return none;
+        return {Number(c.c_8 * s_2 * (-c.c_6 * q_1 - c.c_7) + c.c_9 * s_2), Number(c.c_10 * tau * s_2)};
     }
 
     using Cause = resonform::Cause;
@@ -406,19 +425,32 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
-        auto conditions() const { return std::array<Real, 2>{c.c_11, c.c_12}; }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
+        auto conditions() const { return std::array<Real, 2>{c.c_12, c.c_13}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.phase_psi};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.phase_psi};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

@@ -162,6 +162,7 @@ private:
         Number c_12{};
         Number c_13{};
         Number c_14{};
+        Number c_15{};
     };
 
     template <class Number> static void compute_constants(
@@ -198,21 +199,22 @@ private:
         const Number k_24 = k_7 * (c.tau_0 * k_23 + psi_0 * (Number(1) - c.c_2));
         c.phase_psi = atan2(k_17, k_24);
         c.c_3 = Number(1) / c.eps;
+        c.c_4 = -Number(1) / Number(8) * c.eps;
         const Number k_25 = sqrt(k_3) * (k_2 * k_2 * k_2);
         const Number k_26 = hypot(k_24, k_17);
         const Number k_27 = Number(3) + k_1 * (k_1 + Number(3)) + Number(1) / Number(32) * k_11;
         const Number k_28 = Number(1) + k_1 * k_27;
         const Number k_29 = Number(1) / k_28;
-        c.c_4 = k_25 * k_26 * c.c_3 * k_29;
-        c.c_5 = k_25 * (Number(1) / Number(4)) * k_26 * c.c_3 * k_29;
-        c.c_6 = k_25 * (Number(7) / Number(32)) * k_26 * c.c_3 * k_29;
-        c.c_7 = k_25 * (Number(1) / Number(8)) * k_26 * c.c_3 * k_29;
-        c.c_8 = k_11 * c.eps;
-        c.c_9 = k_25 * k_26 * k_29;
-        c.c_10 = k_25 * (Number(1) / Number(4)) * c.eps * k_26 * k_29;
-        c.c_11 = c.tau_0 + Number(80);
+        c.c_5 = k_25 * k_26 * c.c_3 * k_29;
+        c.c_6 = k_25 * (Number(1) / Number(4)) * k_26 * c.c_3 * k_29;
+        c.c_7 = k_25 * (Number(7) / Number(32)) * k_26 * c.c_3 * k_29;
+        c.c_8 = k_25 * (Number(1) / Number(8)) * k_26 * c.c_3 * k_29;
+        c.c_9 = k_11 * c.eps;
+        c.c_10 = k_25 * k_26 * k_29;
+        c.c_11 = k_25 * (Number(1) / Number(4)) * c.eps * k_26 * k_29;
+        c.c_12 = c.tau_0 + Number(80);
         const Number k_30 = k_28 * (k_5 * k_4) - Number(1);
-        c.c_12 = Number(1) - Number(4) * (k_30 * k_30);
+        c.c_13 = Number(1) - Number(4) * (k_30 * k_30);
         const Number k_31 = k_11 * k_11;
         const Number k_32 = c.c_3 * c.c_3;
         const Number k_33 = k_6 * k_6 * k_4;
@@ -227,8 +229,8 @@ private:
         const Number k_42 = c.tau_0 * k_41 - k_37 * (Number(1) / Number(8)) * k_26 * k_34;
         const Number k_43 = k_26 * c.c_3 * k_38 + k_8 * c.eps * k_40 - psi_0 * c.c_3;
         const Number k_44 = k_26 * c.c_3 * k_34 + k_3 * k_4 * psi_dot_0 * c.c_3 + k_8 * c.eps * k_42;
-        c.c_13 = k_31 * k_31 + k_32 * (psi_0 * psi_0) + k_4 * k_32 * (psi_dot_0 * psi_dot_0) + k_11 * k_33 * (k_40 * k_40) + k_11 * k_33 * (k_42 * k_42) - Number(4) * (k_43 * k_43 + k_44 * k_44);
-        c.c_14 = Number(2) * c.eps;
+        c.c_14 = k_31 * k_31 + k_32 * (psi_0 * psi_0) + k_4 * k_32 * (psi_dot_0 * psi_dot_0) + k_11 * k_33 * (k_40 * k_40) + k_11 * k_33 * (k_42 * k_42) - Number(4) * (k_43 * k_43 + k_44 * k_44);
+        c.c_15 = Number(2) * c.eps;
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -238,21 +240,22 @@ private:
         keep(from.c_2, c.c_2, "c_2 in theta");
         keep(from.phase_psi, c.phase_psi, "phase_psi");
         keep(from.c_3, c.c_3, "c_3 in theta");
-        keep(from.c_4, c.c_4, "c_4 in psi_1");
-        keep(from.c_5, c.c_5, "c_5 in psi_2");
-        keep(from.c_6, c.c_6, "c_6 in psi");
+        keep(from.c_4, c.c_4, "c_4");
+        keep(from.c_5, c.c_5, "c_5 in psi_1");
+        keep(from.c_6, c.c_6, "c_6 in psi_2");
         keep(from.c_7, c.c_7, "c_7 in psi");
         keep(from.c_8, c.c_8, "c_8 in psi");
         keep(from.c_9, c.c_9, "c_9 in psi");
         keep(from.c_10, c.c_10, "c_10 in psi");
-        keep(from.c_11, c.c_11, "c_11 in 80 + tau");
-        keep(from.c_14, c.c_14, "c_14 in 2*sqrt(tau^2 + 1)");
+        keep(from.c_11, c.c_11, "c_11 in psi");
+        keep(from.c_12, c.c_12, "c_12 in 80 + tau");
+        keep(from.c_15, c.c_15, "c_15 in 2*sqrt(tau^2 + 1)");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_12 > From(0))) return {Status::outside_domain, "psi"};
         if (!(from.c_13 > From(0))) return {Status::outside_domain, "psi"};
+        if (!(from.c_14 > From(0))) return {Status::outside_domain, "psi"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -277,15 +280,15 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 3> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 3> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number s = tau * tau + Number(1);
         const Number s_2 = sqrt(s);
         const Number per_s = per(s);
         const Number q_1 = Number(4) * s;
         const Number s_m1_2 = s_2 * per_s;
-        const Number q_2 = c.c_14 * s_m1_2 * tau;
+        const Number q_2 = c.c_15 * s_m1_2 * tau;
         const Number q_3 = magnitude(tau);
         return {Number(q_1 + q_2), Number(q_1 - q_2), Number(Number(1) - c.c_1 * (per_s * per_s * per_s) * (q_3 * q_3))};
     }
@@ -299,6 +302,24 @@ private:
         const Number per_s = per(s);
         const Number s_m5_2 = s_2 * (per_s * per_s * per_s);
         return c.c_3 * (s_2 - c.c_2 * s_m5_2 * q_1);
+    }
+
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number s = tau * tau + Number(1);
+        const Number s_2 = sqrt(s);
+        return c.c_3 * s_2;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number q_1 = tau * tau;
+        const Number s = q_1 + Number(1);
+        const Number s_2 = sqrt(s);
+        const Number per_s = per(s);
+        const Number s_m5_2 = s_2 * (per_s * per_s * per_s);
+        return c.c_4 * s_m5_2 * q_1;
     }
 
     // What differs from call to call.
@@ -316,13 +337,13 @@ private:
         const Real q_2 = per_s * per_s;
         const Real s_4 = sqrt(s_2);
         const Real s_m1_4 = s_2 * s_4 * per_s;
-        const Real psi_1 = c.c_4 * s_m1_4 * a.cos_theta;
+        const Real psi_1 = c.c_5 * s_m1_4 * a.cos_theta;
         const Real s_m7_4 = s_4 * q_2;
-        const Real psi_2 = c.c_5 * s_m7_4 * tau * a.sin_theta;
+        const Real psi_2 = c.c_6 * s_m7_4 * tau * a.sin_theta;
         const Real s_m13_4 = s_2 * s_4 * (q_2 * q_2);
-        const Real q_3 = c.eps * (psi_2 + c.eps * s_m13_4 * a.cos_theta * (c.c_7 - c.c_6 * q_1));
+        const Real q_3 = c.eps * (psi_2 + c.eps * s_m13_4 * a.cos_theta * (c.c_8 - c.c_7 * q_1));
         if (!(Real(80) - tau > Real(0))) return Status::outside_domain;
-        if (!(a.T + c.c_11 > Real(0))) return Status::outside_domain;
+        if (!(a.T + c.c_12 > Real(0))) return Status::outside_domain;
         values.psi = c.eps * (psi_1 + q_3);
         return finite(values.psi) ? Status::ok : Status::overflow;
     }
@@ -342,8 +363,8 @@ private:
         const Number s_m13_4 = s_2 * s_4 * (q_2 * q_2);
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
-        if (!(Number(80) - tau > Number(0) && T + c.c_11 > Number(0))) return none;
-        return {Number(c.c_8 * s_m13_4 * (c.c_7 - c.c_6 * q_1) + c.c_9 * s_m1_4), Number(c.c_10 * s_m7_4 * tau)};
+        if (!(Number(80) - tau > Number(0) && T + c.c_12 > Number(0))) return none;
+        return {Number(c.c_9 * s_m13_4 * (c.c_8 - c.c_7 * q_1) + c.c_10 * s_m1_4), Number(c.c_11 * s_m7_4 * tau)};
     }
 
     using Cause = resonform::Cause;
@@ -441,19 +462,32 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
-        auto conditions() const { return std::array<Real, 2>{c.c_12, c.c_13}; }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
+        auto conditions() const { return std::array<Real, 2>{c.c_13, c.c_14}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.phase_psi};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.phase_psi};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

@@ -377,8 +377,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 2> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 2> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number q_1 = exp(tau);
         const Number q_2 = Number(3) * tau;
@@ -558,18 +558,27 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 2>{c.c_1, c.c_30}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.c_16};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.c_16};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
             }
         };
     };

@@ -158,6 +158,7 @@ private:
         Number c_9{};
         Number c_10{};
         Number c_11{};
+        Number c_12{};
     };
 
     template <class Number> static void compute_constants(
@@ -185,18 +186,19 @@ private:
         c.c_1 = Number(1) / c.eps;
         const Number k_16 = c.eps * c.eps;
         c.c_2 = Number(1) / Number(32) * k_16;
+        c.c_3 = -Number(1) / Number(32) * c.eps;
         const Number k_17 = sqrt(k_1) * k_9;
         const Number k_18 = hypot(k_15, k_12);
         const Number k_19 = k_9 + Number(1) / Number(128) * k_16;
         const Number k_20 = Number(1) / k_19;
-        c.c_3 = k_17 * k_18 * c.c_1 * k_20;
-        c.c_4 = k_17 * (Number(1) / Number(8)) * k_18 * c.c_1 * k_20;
-        c.c_5 = k_17 * (Number(11) / Number(128)) * k_18 * k_20;
-        c.c_6 = k_17 * (Number(11) / Number(128)) * k_18 * k_16 * k_20;
-        c.c_7 = k_17 * k_18 * k_20;
-        c.c_8 = k_17 * (Number(1) / Number(8)) * c.eps * k_18 * k_20;
+        c.c_4 = k_17 * k_18 * c.c_1 * k_20;
+        c.c_5 = k_17 * (Number(1) / Number(8)) * k_18 * c.c_1 * k_20;
+        c.c_6 = k_17 * (Number(11) / Number(128)) * k_18 * k_20;
+        c.c_7 = k_17 * (Number(11) / Number(128)) * k_18 * k_16 * k_20;
+        c.c_8 = k_17 * k_18 * k_20;
+        c.c_9 = k_17 * (Number(1) / Number(8)) * c.eps * k_18 * k_20;
         const Number k_21 = k_19 * (k_3 * k_2) - Number(1);
-        c.c_9 = Number(1) - Number(4) * (k_21 * k_21);
+        c.c_10 = Number(1) - Number(4) * (k_21 * k_21);
         const Number k_22 = k_16 * k_16;
         const Number k_23 = c.c_1 * c.c_1;
         const Number k_24 = k_4 * k_4 * k_2;
@@ -209,8 +211,8 @@ private:
         const Number k_31 = c.eps * k_30 + Number(1) / Number(8) * k_9 * k_18 * c.c_1 * k_27;
         const Number k_32 = k_18 * c.c_1 * k_27 + k_6 * c.eps * k_29 - x_0 * c.c_1;
         const Number k_33 = k_18 * c.c_1 * k_25 + k_1 * k_2 * x_dot_0 * c.c_1 + k_6 * c.eps * k_31;
-        c.c_10 = k_22 * k_22 + k_23 * (x_0 * x_0) + k_2 * k_23 * (x_dot_0 * x_dot_0) + k_16 * k_24 * (k_29 * k_29) + k_16 * k_24 * (k_31 * k_31) - Number(4) * (k_32 * k_32 + k_33 * k_33);
-        c.c_11 = Number(1) / Number(64) * k_16;
+        c.c_11 = k_22 * k_22 + k_23 * (x_0 * x_0) + k_2 * k_23 * (x_dot_0 * x_dot_0) + k_16 * k_24 * (k_29 * k_29) + k_16 * k_24 * (k_31 * k_31) - Number(4) * (k_32 * k_32 + k_33 * k_33);
+        c.c_12 = Number(1) / Number(64) * k_16;
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -219,19 +221,20 @@ private:
         keep(from.phase_x, c.phase_x, "phase_x");
         keep(from.c_1, c.c_1, "c_1 in theta");
         keep(from.c_2, c.c_2, "c_2 in theta");
-        keep(from.c_3, c.c_3, "c_3 in x_1");
-        keep(from.c_4, c.c_4, "c_4 in x_2");
-        keep(from.c_5, c.c_5, "c_5 in x");
+        keep(from.c_3, c.c_3, "c_3");
+        keep(from.c_4, c.c_4, "c_4 in x_1");
+        keep(from.c_5, c.c_5, "c_5 in x_2");
         keep(from.c_6, c.c_6, "c_6 in x");
         keep(from.c_7, c.c_7, "c_7 in x");
         keep(from.c_8, c.c_8, "c_8 in x");
-        keep(from.c_11, c.c_11, "c_11 in x");
+        keep(from.c_9, c.c_9, "c_9 in x");
+        keep(from.c_12, c.c_12, "c_12 in x");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_9 > From(0))) return {Status::outside_domain, "x"};
         if (!(from.c_10 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_11 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -256,13 +259,13 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 2> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 2> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number tau_2 = sqrt(tau);
         const Number per_tau = per(tau);
         const Number tau_m1_2 = tau_2 * per_tau;
-        return {Number(Number(4) * tau - c.eps * tau_m1_2), Number(Number(1) - c.c_11 * (per_tau * per_tau * per_tau))};
+        return {Number(Number(4) * tau - c.eps * tau_m1_2), Number(Number(1) - c.c_12 * (per_tau * per_tau * per_tau))};
     }
 
     // dtheta/dT
@@ -272,6 +275,21 @@ private:
         const Number per_tau = per(tau);
         const Number tau_m5_2 = tau_2 * (per_tau * per_tau * per_tau);
         return c.c_1 * (tau_2 - c.c_2 * tau_m5_2);
+    }
+
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number tau_2 = sqrt(tau);
+        return c.c_1 * tau_2;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number tau_2 = sqrt(tau);
+        const Number per_tau = per(tau);
+        const Number tau_m5_2 = tau_2 * (per_tau * per_tau * per_tau);
+        return c.c_3 * tau_m5_2;
     }
 
     // What differs from call to call.
@@ -287,12 +305,12 @@ private:
         const Real q_1 = per_tau * per_tau;
         const Real tau_4 = sqrt(tau_2);
         const Real tau_m1_4 = tau_2 * tau_4 * per_tau;
-        const Real x_1 = c.c_3 * tau_m1_4 * a.cos_theta;
+        const Real x_1 = c.c_4 * tau_m1_4 * a.cos_theta;
         const Real tau_m7_4 = tau_4 * q_1;
-        const Real x_2 = c.c_4 * tau_m7_4 * a.sin_theta;
+        const Real x_2 = c.c_5 * tau_m7_4 * a.sin_theta;
         const Real tau_m13_4 = tau_2 * tau_4 * (q_1 * q_1);
         if (!(tau > Real(0))) return Status::outside_domain;
-        values.x = c.eps * (x_1 + c.eps * (x_2 - c.c_5 * tau_m13_4 * a.cos_theta));
+        values.x = c.eps * (x_1 + c.eps * (x_2 - c.c_6 * tau_m13_4 * a.cos_theta));
         return finite(values.x) ? Status::ok : Status::overflow;
     }
 
@@ -310,7 +328,7 @@ private:
         std::array<Number, 2> none;
         none.fill(resonform::math::not_a_number<Number>());
         if (!(tau > Number(0))) return none;
-        return {Number(c.c_7 * tau_m1_4 - c.c_6 * tau_m13_4), Number(c.c_8 * tau_m7_4)};
+        return {Number(c.c_8 * tau_m1_4 - c.c_7 * tau_m13_4), Number(c.c_9 * tau_m7_4)};
     }
 
     using Cause = resonform::Cause;
@@ -408,19 +426,32 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
-        auto conditions() const { return std::array<Real, 2>{c.c_9, c.c_10}; }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
+        auto conditions() const { return std::array<Real, 2>{c.c_10, c.c_11}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.phase_x};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.phase_x};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

@@ -302,8 +302,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 4> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 4> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
         const Number per_s = per(s);
@@ -346,6 +346,30 @@ private:
         const Number s_m1_2 = s_2 * per_s;
         const Number theta_dot_2 = -c.c_4 * s_m7_4 * q_1 - c.c_5 * s_m1_2;
         return c.c_6 * (theta_dot_0 + c.c_2 * theta_dot_2);
+    }
+
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number xi = T + c.xi_0;
+        const Number s = xi * xi + Number(1);
+        const Number per_s = per(s);
+        const Number s_2 = sqrt(s);
+        const Number s_4 = sqrt(s_2);
+        const Number theta_dot_0 = s_2 * s_4 * per_s;
+        return c.c_6 * theta_dot_0;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number xi = T + c.xi_0;
+        const Number q_1 = xi * xi;
+        const Number s = q_1 + Number(1);
+        const Number per_s = per(s);
+        const Number s_2 = sqrt(s);
+        const Number s_4 = sqrt(s_2);
+        const Number s_m7_4 = s_4 * (per_s * per_s);
+        const Number s_m1_2 = s_2 * per_s;
+        const Number theta_dot_2 = -c.c_4 * s_m7_4 * q_1 - c.c_5 * s_m1_2;
+        return c.eps * theta_dot_2;
     }
 
     // What differs from call to call.
@@ -539,19 +563,41 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number xi_0, theta_0, c_6;
+        };
         template <class Number> struct Angles {
-            Constants<Number> c;
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.theta_0};
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.xi_0 = all.xi_0;
+                    own.theta_0 = all.theta_0;
+                    own.c_6 = all.c_6;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.theta_0};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

@@ -201,8 +201,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 5> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 5> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number xi = T + c.xi_0;
         const Number s = xi * xi + Number(1);
         const Number per_s = per(s);
@@ -362,16 +362,24 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 0> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 start = {};
             }
-            std::array<Number, 0> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 0> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
                 return {};
             }
         };

@@ -167,8 +167,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 1> layers(
-            [[maybe_unused]] const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 1> layers(
+            [[maybe_unused]] const Constants<Constant>& c, const Number& T) {
         return {Number(Number(4096) - T)};
     }
 
@@ -309,18 +309,27 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::broad_layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 1>{c.c_3}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.c_1};
+                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.c_1};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {chi_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {chi_rate(known, T)};
             }
         };
     };

@@ -574,8 +574,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 1> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 1> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number s = T + c.s_0;
         const Number q_1 = Number(1) - s;
         return {Number(q_1 * q_1 + c.c_63)};
@@ -752,18 +752,27 @@ private:
         }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 3>{c.c_61, c.c_57, c.c_62}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.c_16, c.c_16};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.c_16, known.c_16};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T), chi_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 2> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T), chi_rate(known, T)};
             }
         };
     };

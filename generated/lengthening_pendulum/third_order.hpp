@@ -258,8 +258,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 3> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 3> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number l = T + c.l_0;
         const Number l_2 = sqrt(l);
         const Number per_l = per(l);
@@ -277,6 +277,25 @@ private:
         const Number l_m3_2 = l_2 * q_1;
         const Number theta_dot_2 = -c.c_1 * q_1 - c.c_2 * l_m3_2;
         return c.c_4 * (theta_dot_0 + c.c_3 * theta_dot_2);
+    }
+
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number l = T + c.l_0;
+        const Number l_2 = sqrt(l);
+        const Number per_l = per(l);
+        const Number theta_dot_0 = l_2 * per_l;
+        return c.c_4 * theta_dot_0;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number l = T + c.l_0;
+        const Number l_2 = sqrt(l);
+        const Number per_l = per(l);
+        const Number q_1 = per_l * per_l;
+        const Number l_m3_2 = l_2 * q_1;
+        const Number theta_dot_2 = -c.c_1 * q_1 - c.c_2 * l_m3_2;
+        return c.eps * theta_dot_2;
     }
 
     // What differs from call to call.
@@ -430,19 +449,41 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number phase_phi, l_0, c_4;
+        };
         template <class Number> struct Angles {
-            Constants<Number> c;
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.phase_phi};
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.phase_phi = all.phase_phi;
+                    own.l_0 = all.l_0;
+                    own.c_4 = all.c_4;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.phase_phi};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

@@ -639,14 +639,21 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 7>{c.c_1, c.c_15, c.c_16, c.c_17, c.c_18, c.c_19, c.c_20}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 0> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 start = {};
             }
-            std::array<Number, 0> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 0> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
                 return {};
             }
         };

@@ -473,8 +473,8 @@ private:
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
-    template <class Number> static std::array<Number, 4> layers(
-            const Constants<Number>& c, const Number& T) {
+    template <class Number, class Constant> static std::array<Number, 4> layers(
+            const Constants<Constant>& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number s = tau * tau + Number(2);
         const Number s_2 = sqrt(s);
@@ -499,6 +499,25 @@ private:
         const Number s_m5_2 = s_2 * (per_s * per_s * per_s);
         const Number theta_dot_2 = per_s * (c.c_2 * tau + c.c_2) - c.c_1 * s_m5_2 * q_1;
         return c.c_4 * (s_2 + c.c_3 * theta_dot_2);
+    }
+
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number s = tau * tau + Number(2);
+        const Number s_2 = sqrt(s);
+        return c.c_4 * s_2;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number tau = T + c.tau_0;
+        const Number q_1 = tau * tau;
+        const Number s = q_1 + Number(2);
+        const Number s_2 = sqrt(s);
+        const Number per_s = per(s);
+        const Number s_m5_2 = s_2 * (per_s * per_s * per_s);
+        const Number theta_dot_2 = per_s * (c.c_2 * tau + c.c_2) - c.c_1 * s_m5_2 * q_1;
+        return c.eps * theta_dot_2;
     }
 
     // What differs from call to call.
@@ -652,19 +671,41 @@ private:
         Columns start() const { return {}; }
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
+        auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number theta_0, tau_0, c_4;
+        };
         template <class Number> struct Angles {
-            Constants<Number> c;
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.theta_0};
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.theta_0 = all.theta_0;
+                    own.tau_0 = all.tau_0;
+                    own.c_4 = all.c_4;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.theta_0};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

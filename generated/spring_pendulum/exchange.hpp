@@ -544,16 +544,24 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.c_11, c.c_11};
+                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.c_11, known.c_11};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_1_rate(c, T), theta_2_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 2> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_1_rate(known, T), theta_2_rate(known, T)};
             }
         };
     };

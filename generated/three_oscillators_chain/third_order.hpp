@@ -1827,16 +1827,24 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 13>{c.c_121, c.c_122, c.c_123, c.c_124, c.c_125, c.c_126, c.c_127, c.c_128, c.c_129, c.c_130, c.c_131, c.c_132, c.c_133}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 3> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.c_1, c.c_1, c.c_1};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.c_1, known.c_1, known.c_1};
             }
-            std::array<Number, 3> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_1_rate(c, T), theta_2_rate(c, T), theta_3_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 3> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_1_rate(known, T), theta_2_rate(known, T), theta_3_rate(known, T)};
             }
         };
     };

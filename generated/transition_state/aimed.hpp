@@ -794,16 +794,24 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 6>{c.c_20, c.c_21, c.c_22, c.c_23, c.c_24, c.c_25}; }
         template <class Number> struct Angles {
-            Constants<Number> c;
+            Constants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                lost = keep_constants(course.eps, course.parameters, course.given, c);
-                start = {c.u_y, c.u_y};
+                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.u_y, known.u_y};
             }
-            std::array<Number, 2> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T), chi_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
+            }
+            std::array<Number, 2> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T), chi_rate(known, T)};
             }
         };
     };

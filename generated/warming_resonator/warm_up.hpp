@@ -343,6 +343,31 @@ private:
         return c.c_8 * (s_2 + c.c_7 * theta_dot_2);
     }
 
+    // The same as a sum, of which the second part turns little.
+    template <class Number, class Some> static Number theta_main_rate(const Some& c, const Number& T) {
+        const Number q_1 = -Number(2) * T;
+        const Number u = c.u_0 * exp(q_1) - c.c_1 * expm1(q_1);
+        const Number s = Number(1) - u;
+        const Number s_2 = sqrt(s);
+        return c.c_8 * s_2;
+    }
+
+    template <class Number> static Number theta_small_rate(const Constants<Number>& c, const Number& T) {
+        const Number q_1 = -Number(2) * T;
+        const Number u = c.u_0 * exp(q_1) - c.c_1 * expm1(q_1);
+        const Number s = Number(1) - u;
+        const Number s_2 = sqrt(s);
+        const Number per_s = per(s);
+        const Number q_2 = per_s * per_s;
+        const Number s_m5_2 = s_2 * (q_2 * per_s);
+        const Number q_3 = c.c_2 * u;
+        const Number s_m3_2 = s_2 * q_2;
+        const Number q_4 = exp(Number(c.c_5 * T));
+        const Number s_m1_2 = s_2 * per_s;
+        const Number theta_dot_2 = s_m5_2 * (u * (c.c_2 - q_3) - c.c_3) + s_m3_2 * (c.c_4 - q_3) + c.c_6 * per_s * (q_4 * q_4) - c.c_3 * s_m1_2;
+        return c.eps * theta_dot_2;
+    }
+
     // What differs from call to call.
     struct Arguments {
         Real T{}; // slow time eps t
@@ -514,18 +539,40 @@ private:
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
+        template <class Number> struct SomeConstants {
+            Number theta_0, u_0, c_1, c_8;
+        };
         template <class Number> struct Angles {
-            Constants<Number> c;
+            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                compute_constants(course.eps, course.parameters, course.given, c);
-                start = {c.theta_0};
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    Constants<Number> all;
+                    compute_constants(course.eps, course.parameters, course.given, all);
+                    own.theta_0 = all.theta_0;
+                    own.u_0 = all.u_0;
+                    own.c_1 = all.c_1;
+                    own.c_8 = all.c_8;
+                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                const auto& known = constants(course);
+                start = {known.theta_0};
             }
-            std::array<Number, 1> operator()([[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                return {theta_rate(c, T)};
+            const auto& constants([[maybe_unused]] const Course& course) const {
+                if constexpr (std::is_same_v<Number, Real>)
+                    return course.c;
+                else
+                    return own;
             }
+            std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
+                [[maybe_unused]] const auto& known = constants(course);
+                return {theta_rate(known, T)};
+            }
+            std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
+                return {theta_main_rate(constants(course), T)};
+            }
+            std::array<Real, 1> small(const Course& course, const Real& T) const { return {theta_small_rate(course.c, T)}; }
         };
     };
 

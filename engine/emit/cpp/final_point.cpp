@@ -29,6 +29,9 @@ private:
     [[nodiscard]] std::string margins() const;
     [[nodiscard]] std::string conditions() const;
     [[nodiscard]] std::string phase_rates() const;
+    [[nodiscard]] std::string divided_rates() const;
+    [[nodiscard]] std::vector<std::string> read_by_phases() const;
+    [[nodiscard]] std::string constants() const;
     [[nodiscard]] std::string arguments() const;
 
     const Program& program_;
@@ -55,9 +58,12 @@ std::string CppCourse::margins() const {
     if (plan_.layers.empty()) return "";
     const bool flow = plan_.layers_use_flow;
     return fmt::format("        static constexpr int samples = resonform::{}layer_samples;\n"
-                       "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n",
+                       "        auto margins(const Real& T{}) const {{ return layers(c, T{}); }}\n{}",
                        plan_.layers_are_broad ? "broad_" : "", flow ? ", const Columns& row" : "",
-                       flow ? ", " + before(1) : "");
+                       flow ? ", " + before(1) : "",
+                       plan_.layers_have_bounds ? "        auto margins(const resonform::Bounds<Real>& T) "
+                                                  "const { return layers(c, T); }\n"
+                                                : "");
 }
 
 // What must be > 0 at the start; no more than Real has a place for.
@@ -74,9 +80,66 @@ std::string CppCourse::conditions() const {
 std::string CppCourse::phase_rates() const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k],
+        list.push_back(fmt::format("{}_rate(known, T{})", plan_.phase_names[k],
                                    plan_.phase_uses_tables[k] ? ", widened<Number>(row)" : ""));
     return fmt::format("{}", fmt::join(list, ", "));
+}
+
+// Of each phase the part of its rate that is summed in Number, and the one for which Real suffices.
+std::string CppCourse::divided_rates() const {
+    if (!plan_.divides_rates()) return "";
+    std::vector<std::string> main, small;
+    for (std::size_t k = 0; k < program_.phases.size(); ++k) {
+        const std::string& name = plan_.phase_names[k];
+        const bool divided = plan_.divided_rates[k].has_value();
+        main.push_back(divided ? name + "_main_rate(constants(course), T)"
+                               : "whole[" + std::to_string(k) + "]");
+        small.push_back(divided ? name + "_small_rate(course.c, T)" : "Real(0)");
+    }
+    const bool all = plan_.divides_rates(true);
+    return filled(frames::divided_rates, {{"phases", std::to_string(program_.phases.size())},
+                                          {"whole", all ? ""
+                                                        : "                const std::array<Number, " +
+                                                              std::to_string(program_.phases.size()) +
+                                                              "> whole = (*this)(course, T, row);\n"},
+                                          {"main", fmt::format("{}", fmt::join(main, ", "))},
+                                          {"small", fmt::format("{}", fmt::join(small, ", "))}});
+}
+
+// The members of the constants that phases read whose rates are all divided, if it is worth while to keep no
+// others.
+std::vector<std::string> CppCourse::read_by_phases() const {
+    if (!plan_.range.native || !plan_.divides_rates(true) || plan_.walks_constants() ||
+        !program_.data.empty())
+        return {};
+    std::vector<StraightLine::Value> read = plan_.phase_starts;
+    for (const auto& rate : plan_.divided_rates) read.push_back(rate->main);
+    std::vector<std::string> names;
+    for (const StraightLine::Value v : plan_.code.behind_doubled(read, false))
+        if (const auto member = plan_.members.find(v); member != plan_.members.end())
+            names.push_back(member->second);
+    return names;
+}
+
+// Of the phases, in Number. What is not kept is not computed.
+std::string CppCourse::constants() const {
+    if (program_.phases.empty() && program_.data.empty()) return "";
+    const std::string call = plan_.range.native
+                                 ? "compute_constants(course.eps, course.parameters, course.given, own)"
+                                 : "lost = keep_constants(course.eps, course.parameters, course.given, own)";
+    std::string some, otherwise = "                ";
+    for (const std::string& name : read_by_phases())
+        some += fmt::format("                    own.{0} = all.{0};\n", name);
+    if (!some.empty()) {
+        some = "                if constexpr (resonform::divides_rates<Number, Real>) {\n"
+               "                    Constants<Number> all;\n"
+               "                    compute_constants(course.eps, course.parameters, course.given, all);\n" +
+               some;
+        otherwise = "                } else ";
+    }
+    return fmt::format("{}{}if constexpr (!std::is_same_v<Number, Real>) {};\n"
+                       "                const auto& known = constants(course);\n",
+                       some, otherwise, call);
 }
 
 std::string CppCourse::arguments() const {
@@ -104,15 +167,10 @@ std::string CppCourse::print() const {
     }
     const bool none_decays = std::find(decays.begin(), decays.end(), true) == decays.end();
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
-    const std::string call = fmt::format("{}_constants(course.eps, course.parameters, course.given, c);",
-                                         plan_.range.native ? "compute" : "keep");
-    const std::string constants =
-        program_.phases.empty() && program_.data.empty()
-            ? ""
-            : fmt::format("                {}{}\n", plan_.range.native ? "" : "lost = ", call);
     const bool steady = levels.empty() && program_.data.empty() &&
                         std::none_of(plan_.phase_rates.begin(), plan_.phase_rates.end(),
                                      [this](StraightLine::Value v) { return plan_.code.at(v).varying; });
+    const std::vector<std::string> some = read_by_phases();
     const bool no_data = program_.data.empty(), no_callables = plan_.callables.empty();
     return filled(
         frames::course,
@@ -131,11 +189,19 @@ std::string CppCourse::print() const {
          {"margins", margins()},
          {"conditions", conditions()},
          {"packs", program_.flow.empty() && none_decays && no_data && no_callables ? "true" : "false"},
-         {"constants", constants},
-         {"edges", no_data ? "" : "            decltype(Evaluator::edges(c)) edges;\n"},
-         {"find_edges", no_data ? "" : "                edges = Evaluator::edges(c);\n"},
-         {"starts", plan_.member_list(plan_.phase_starts, "c.")},
+         {"some", some.empty() ? ""
+                               : fmt::format("        template <class Number> struct SomeConstants {{\n"
+                                             "            Number {};\n        }};\n",
+                                             fmt::join(some, ", "))},
+         {"own", some.empty() ? "Constants<Number>"
+                              : "std::conditional_t<resonform::divides_rates<Number, Real>, "
+                                "SomeConstants<Number>, Constants<Number>>"},
+         {"constants", constants()},
+         {"edges", no_data ? "" : "            decltype(Evaluator::edges(own)) edges;\n"},
+         {"find_edges", no_data ? "" : "                edges = Evaluator::edges(known);\n"},
+         {"starts", plan_.member_list(plan_.phase_starts, "known.")},
          {"phase_rates", phase_rates()},
+         {"divided", divided_rates()},
          {"arguments", arguments()},
          {"precise", !plan_.loses_digits ? ""
                                          : "        if (status == Status::ok && !precise(c, a)) return "

@@ -189,6 +189,9 @@ void CppPlan::lower_results() {
         phase_uses_tables.push_back(
             std::any_of(looked_up.begin(), looked_up.end(),
                         [&](const Column& column) { return used[static_cast<std::size_t>(column.value)]; }));
+        divided_rates.emplace_back();
+        if (phase.main_rate < 0 || phase_uses_tables.back() || !code.at(phase_rates.back()).varying) continue;
+        divided_rates.back() = {code.lower(phase.main_rate), code.lower(phase.small_rate)};
     }
     outputs = results(program->outputs);
     state = results(program->state);
@@ -208,6 +211,26 @@ void CppPlan::lower_results() {
     const std::vector<bool> behind_layers = reachable(program->graph, margins);
     for (const ProgramFlow& variable : program->flow)
         layers_use_flow = layers_use_flow || behind_layers[static_cast<std::size_t>(variable.value)];
+    layers_have_bounds = !layers_use_flow && have_bounds(layers);
+}
+
+bool CppPlan::have_bounds(const std::vector<CppCondition>& margins) const {
+    std::vector<Value> roots;
+    for (const CppCondition& margin : margins) roots.push_back(margin.value);
+    const std::vector<Value> all = code.behind_doubled(roots, false);
+    return std::all_of(all.begin(), all.end(), [&](Value v) {
+        const StraightLine::Instruction& i = code.at(v);
+        if (!i.varying) return true;
+        switch (i.op) {
+        case StraightLine::Op::root: return i.index == 2;
+        case StraightLine::Op::doubled: return false;
+        case StraightLine::Op::function:
+            return i.data == nullptr && i.callable.empty() &&
+                   (i.function == Graph::Op::sqrt_sum_squares || i.function == Graph::Op::exp ||
+                    i.function == Graph::Op::sin || i.function == Graph::Op::cos);
+        default: return true;
+        }
+    });
 }
 
 // All results, except constant conditions.
@@ -216,6 +239,8 @@ std::vector<Value> CppPlan::roots() const {
     for (const std::vector<Value>* more :
          {&flow_starts, &flow_rates, &phase_starts, &phase_rates, &data_arguments})
         all.insert(all.end(), more->begin(), more->end());
+    for (const std::optional<DividedRate>& rate : divided_rates)
+        if (rate) all.insert(all.end(), {rate->main, rate->small});
     for (const Growth& growth : growths) all.push_back(growth.factor);
     for (const std::vector<Value>& either : precisions) all.insert(all.end(), either.begin(), either.end());
     for (const std::vector<CppCondition>* conditions : {&varying_conditions, &layers})
@@ -225,6 +250,13 @@ std::vector<Value> CppPlan::roots() const {
     for (const Value v : tabulated()) all.push_back(v);
     if (recipe) all.insert(all.end(), recipe->constants.begin(), recipe->constants.end());
     return all;
+}
+
+bool CppPlan::divides_rates(bool all) const {
+    const auto divided =
+        std::count_if(divided_rates.begin(), divided_rates.end(),
+                      [](const std::optional<DividedRate>& rate) { return rate.has_value(); });
+    return divided > 0 && (!all || static_cast<std::size_t>(divided) == divided_rates.size());
 }
 
 std::vector<Value> CppPlan::tabulated() const {

@@ -58,7 +58,13 @@ struct CppPlan {
     std::vector<StraightLine::Value> phase_starts, phase_rates; // of program.phases
     std::vector<std::string> phase_names;
     std::vector<bool> phase_uses_tables; // or the flow
-    struct Growth {                      // of an exponent that grows
+    // Of phases whose rates are summed in two types: the large part and the small one.
+    struct DividedRate {
+        StraightLine::Value main, small;
+    };
+    std::vector<std::optional<DividedRate>> divided_rates;
+    [[nodiscard]] bool divides_rates(bool all = false) const; // some, or all
+    struct Growth {                                           // of an exponent that grows
         std::size_t phase;
         StraightLine::Value factor;
     };
@@ -72,6 +78,7 @@ struct CppPlan {
     std::vector<CppCondition> constant_conditions, varying_conditions;
     std::vector<CppCondition> layers; // of program.layers
     bool layers_use_flow = false, layers_are_broad = true;
+    bool layers_have_bounds = false; // runtime/bounds.hpp knows all that they are made of
     // Constants that outlive the construction, and the names of their members.
     std::map<StraightLine::Value, std::string> members;
     // Those of them that are elements of one array, in its order: where there are so many that a loop walks
@@ -115,6 +122,7 @@ struct CppPlan {
     [[nodiscard]] bool rounded_phases() const;
 
 private:
+    [[nodiscard]] bool have_bounds(const std::vector<CppCondition>& margins) const;
     void name_inputs();
     void assign_levels();
     void lower_results();

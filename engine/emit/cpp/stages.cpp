@@ -33,6 +33,7 @@ private:
     std::string integrands();
     std::string integrands_of(std::size_t level);
     std::string phase_rates();
+    std::string rate_of(Value rate, const std::string& name, bool uses_tables, bool some);
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
                            const std::vector<CppResult>& list);
@@ -93,12 +94,14 @@ std::string CppStages::layers() {
     function.compute(margins, false);
     std::vector<std::string> texts;
     for (const Value margin : margins) texts.push_back("Number(" + function.text(margin) + ")");
-    CppFunction::Frame frame{"template <class Number> static",
-                             fmt::format("std::array<Number, {}>", texts.size()),
-                             "layers",
-                             {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
-                             {},
-                             {fmt::format("return {{{}}};", fmt::join(texts, ", "))}};
+    const bool bounded = plan_.layers_have_bounds;
+    CppFunction::Frame frame{
+        bounded ? "template <class Number, class Constant> static" : "template <class Number> static",
+        fmt::format("std::array<Number, {}>", texts.size()),
+        "layers",
+        {{bounded ? "const Constants<Constant>&" : "const Constants<Number>&", "c"}, {"const Number&", "T"}},
+        {},
+        {fmt::format("return {{{}}};", fmt::join(texts, ", "))}};
     if (plan_.layers_use_flow)
         frame.parameters.emplace_back(fmt::format("const std::array<Number, {}>&", program_.flow.size()),
                                       "flow");
@@ -144,24 +147,36 @@ std::string CppStages::integrands_of(std::size_t level) {
 std::string CppStages::phase_rates() {
     std::string text;
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        CppFunction function(plan_.code, "Number", "q", plan_.lies);
-        know_members(function);
-        function.know(plan_.code.lower(program_.slow_time), "T");
-        know_tables(function, "tables");
-        function.compute({plan_.phase_rates[k]}, false);
-        CppFunction::Frame frame{"template <class Number> static",
-                                 "Number",
-                                 plan_.phase_names[k] + "_rate",
-                                 {{"const Constants<Number>&", "c"}, {"const Number&", "T"}},
-                                 {},
-                                 {fmt::format("return {};", function.text(plan_.phase_rates[k]))}};
-        if (plan_.phase_uses_tables[k])
-            frame.parameters.emplace_back(
-                fmt::format("const std::array<Number, {}>&", plan_.columns_before(plan_.levels.size())),
-                "tables");
-        text += fmt::format("    // d{}/dT\n", plan_.phase_names[k]) + function.print(frame) + "\n";
+        const std::string& name = plan_.phase_names[k];
+        text += fmt::format("    // d{}/dT\n", name) +
+                rate_of(plan_.phase_rates[k], name + "_rate", plan_.phase_uses_tables[k], false);
+        if (const auto& divided = plan_.divided_rates[k])
+            text += "    // The same as a sum, of which the second part turns little.\n" +
+                    rate_of(divided->main, name + "_main_rate", false, true) +
+                    rate_of(divided->small, name + "_small_rate", false, false);
     }
     return text;
+}
+
+// some: of an object that holds no more constants than it needs.
+std::string CppStages::rate_of(Value rate, const std::string& name, bool uses_tables, bool some) {
+    CppFunction function(plan_.code, "Number", "q", plan_.lies);
+    know_members(function);
+    function.know(plan_.code.lower(program_.slow_time), "T");
+    know_tables(function, "tables");
+    function.compute({rate}, false);
+    CppFunction::Frame frame{
+        some ? "template <class Number, class Some> static" : "template <class Number> static",
+        "Number",
+        name,
+        {{some ? "const Some&" : "const Constants<Number>&", "c"}, {"const Number&", "T"}},
+        {},
+        {fmt::format("return {};", function.text(rate))}};
+    if (uses_tables)
+        frame.parameters.emplace_back(
+            fmt::format("const std::array<Number, {}>&", plan_.columns_before(plan_.levels.size())),
+            "tables");
+    return function.print(frame) + "\n";
 }
 
 std::string CppStages::arguments() const {

@@ -71,6 +71,7 @@ private:
     void define_constant_roots(Lowering& lowering);
     void define_slow_variables();
     void define_phase(Moment& call, Graph::Node start);
+    void divide_rate(ProgramPhase& phase, const Polynomial& rate, Moment& call);
     void define_results(Moment& call);
     void add_transients(const Moment& call);
     Graph::Node lower(const Polynomial& p, Moment& call, const std::string& name, bool oscillating,
@@ -127,8 +128,27 @@ void ProgramBuilder::define_phase(Moment& call, Graph::Node start) {
         const Graph::Node over_time = lower(rate, call, "theta_dot", false);
         const Graph::Node over_slow_time = graph.multiply({graph.power(program_.eps, -1), over_time});
         program_.phases.push_back({"theta", start, over_slow_time, cosine, sine, -1, {}});
+        divide_rate(program_.phases.back(), rate, call);
         call.harmonics.set_angle(mode.phase, cosine, sine);
     }
+}
+
+void ProgramBuilder::divide_rate(ProgramPhase& phase, const Polynomial& rate, Moment& call) {
+    std::vector<Term> main, small;
+    for (const Term& term : rate.terms()) {
+        const bool is_small = solution_.ring->exponent(term.monomial, solution_.eps) >= 2 * program_.eps_root;
+        (is_small ? small : main).push_back(term);
+    }
+    if (main.empty() || small.empty()) return;
+    const std::size_t named = program_.names.size();
+    const auto over_slow_time = [&](std::vector<Term> part) {
+        const Graph::Node over_time =
+            lower(Polynomial::from_terms(std::move(part)), call, "theta_dot", false);
+        return program_.graph.multiply({program_.graph.power(program_.eps, -1), over_time});
+    };
+    phase.main_rate = over_slow_time(std::move(main));
+    phase.small_rate = over_slow_time(std::move(small));
+    program_.names.resize(named); // they are the parts of the whole rate
 }
 
 Graph::Node ProgramBuilder::lower(const Polynomial& p, Moment& call, const std::string& name,
