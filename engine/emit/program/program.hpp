@@ -57,6 +57,7 @@ struct ProgramPhase {
     // Where its rate, or a divisor of what decays with it, may vanish: lists of nodes of a call. One of each
     // list is > 0, or digits are lost.
     std::vector<std::vector<Graph::Node>> precision = {};
+    std::string of = {}; // of a slow flow, what turns or decays with it: "z1 of x, z3 of y"
     [[nodiscard]] bool decays() const { return exponential >= 0; }
     [[nodiscard]] std::vector<Graph::Node> symbols() const {
         if (decays()) return {exponential};
