@@ -8,6 +8,7 @@
 #include "emit/display/normal_form_parts.hpp"
 #include "emit/display/solution_display.hpp"
 #include "solve/flow/real_form.hpp"
+#include "solve/slow_law.hpp"
 
 #include <fmt/format.h>
 
