@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -109,6 +110,21 @@ void print_json(const Program& program, const Values& values) {
     put("{}", document_text(document));
 }
 
+// "low_precision: chi_2 (z2 of y)", each once.
+void say_causes(const Program& program, const Values& values) {
+    std::set<std::string> causes;
+    for (std::size_t i = 0; i < values.t.size(); ++i) {
+        const std::string& why = values.why[i];
+        if (why.empty()) continue;
+        const auto phase =
+            std::find_if(program.phases.begin(), program.phases.end(),
+                         [&](const ProgramPhase& p) { return p.name == why && !p.of.empty(); });
+        const std::string of = phase == program.phases.end() ? "" : " (" + phase->of + ")";
+        causes.insert(fmt::format("resonform: {}: {}{}", to_string(values.status[i]), why, of));
+    }
+    for (const std::string& cause : causes) say(cause);
+}
+
 void print_csv(const Program& program, const Values& values) {
     put("t");
     for (const ProgramOutput& output : program.outputs) put(",{}", output.name);
@@ -127,11 +143,7 @@ void print_csv(const Program& program, const Values& values) {
         }
         put("\n");
     }
-    std::set<std::string> causes;
-    for (std::size_t i = 0; i < values.t.size(); ++i)
-        if (!values.why[i].empty())
-            causes.insert(fmt::format("resonform: {}: {}", to_string(values.status[i]), values.why[i]));
-    for (const std::string& cause : causes) say(cause);
+    say_causes(program, values);
 }
 
 int run_evaluate(const EvaluateRequest& request) {

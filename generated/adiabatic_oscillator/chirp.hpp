@@ -18,6 +18,7 @@
 //       - 2*I*exp(4*tau)/((3*exp(2*tau) + 1)^3*(exp(2*tau) + 1))*a1*eps^2
 //       - 2*(3*exp(2*tau) - 1)*exp(4*tau)/(3*exp(2*tau) + 1)^5*a1*eps^3
 // tau' = eps
+// tau = tau_0 + eps*t
 // psi = 1/2*z2 + 1/2*z1
 //       + I*exp(2*tau)/(2*(3*exp(2*tau) + 1)^2)*z2*eps - I*exp(2*tau)/(2*(3*exp(2*tau) + 1)^2)*z1*eps
 //       - (3*exp(4*tau) + 2*exp(2*tau) - 1)*exp(2*tau)/(2*(3*exp(2*tau) + 1)^4)*z2*eps^2

@@ -18,6 +18,7 @@
 //       - I*omega'(tau)^2/(8*omega(tau)^3)*a1*eps^2
 //       + (omega(tau)*omega''(tau) - 2*omega'(tau)^2)*omega'(tau)/(16*omega(tau)^5)*a1*eps^3
 // tau' = eps
+// tau = tau_0 + eps*t
 // psi = 1/2*z2 + 1/2*z1
 //       + I*omega'(tau)/(8*omega(tau)^2)*z2*eps - I*omega'(tau)/(8*omega(tau)^2)*z1*eps
 //       + (omega(tau)*omega''(tau) - 2*omega'(tau)^2)/(16*omega(tau)^4)*z2*eps^2

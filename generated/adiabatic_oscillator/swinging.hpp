@@ -18,6 +18,7 @@
 //       + I*(9*cos(3*tau)^2*exp(2*tau) - 12*sin(3*tau)*exp(tau) - 9*exp(2*tau) - 4)*exp(tau)/(4*(cos(3*tau)*exp(tau) + 4*exp(tau) + 2)^3)*a1*eps^2
 //       - (27*sin(3*tau)*cos(3*tau)^2*exp(3*tau) - 108*sin(3*tau)*cos(3*tau)*exp(3*tau) - 48*sin(3*tau)*cos(3*tau)*exp(2*tau) - 54*sin(3*tau)*exp(3*tau) + 90*cos(3*tau)^2*exp(2*tau) + 24*sin(3*tau)*exp(2*tau) - 72*cos(3*tau)*exp(2*tau) - 60*sin(3*tau)*exp(tau) - 32*cos(3*tau)*exp(tau) - 108*exp(2*tau) + 16*exp(tau) - 8)*exp(2*tau)/(4*(cos(3*tau)*exp(tau) + 4*exp(tau) + 2)^5)*a1*eps^3
 // tau' = eps
+// tau = tau_0 + eps*t
 // psi = 1/2*z2 + 1/2*z1
 //       - I*(3*sin(3*tau)*exp(tau) + 2)*exp(tau)/(4*(cos(3*tau)*exp(tau) + 4*exp(tau) + 2)^2)*z2*eps
 //       + I*(3*sin(3*tau)*exp(tau) + 2)*exp(tau)/(4*(cos(3*tau)*exp(tau) + 4*exp(tau) + 2)^2)*z1*eps

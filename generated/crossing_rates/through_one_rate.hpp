@@ -18,6 +18,7 @@
 // a1' = 0
 // a3' = 0
 // s' = -eps
+// s = s_0 - eps*t
 // u = z1 - 1/2*z1*z2
 // y = z2 - 1/(2*s)*z1^2
 // source: constructed: the divisor 2 s of u^2 vanishes where nothing happens

@@ -14,6 +14,7 @@
 // chi' = -1
 // a1' = 0
 // x' = -x*eps
+// x = x_0*exp(-eps*t)
 // x = x
 // y = x/(x + 1) + z1
 // source: Davis and Skodje, J. Chem. Phys. 111 (1999) 859

@@ -17,6 +17,7 @@
 // chi' = s - 1
 // a1' = 0
 // s' = eps
+// s = s_0 + eps*t
 // z_w' = -(s^3 - s^2 + s - 1)/(omega^2 + s^2 - 2*s + 1)*eps^2
 //        + (2*omega^4*s - 3*omega^2*s^3 - s^5 + 3*omega^2*s^2 + 5*s^4 - 3*omega^2*s - 8*s^3 + 3*omega^2 + 4*s^2 + s - 1)/(omega^2 + s^2 - 2*s + 1)^3*eps^3
 //        + (12*omega^6*s - 35*omega^4*s^3 + 2*omega^2*s^5 + s^7 - 6*omega^6 + 45*omega^4*s^2 + 20*omega^2*s^4 - 7*s^6 - 15*omega^4*s - 40*omega^2*s^3 + 15*s^5 + 5*omega^4 - 20*omega^2*s^2 - 5*s^4 + 70*omega^2*s - 25*s^3 - 32*omega^2 + 39*s^2 - 23*s + 5)/(omega^2 + s^2 - 2*s + 1)^5*eps^4

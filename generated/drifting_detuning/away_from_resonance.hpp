@@ -25,6 +25,7 @@
 //       - I*r^2/(32*(4*k + s)^(5/2))*a3*eps^2
 //       - I*a^2/(sqrt(4*k + s)*(2*sqrt(k) + sqrt(4*k + s))*(2*sqrt(k) - sqrt(4*k + s)))*a1*a2*a3
 // s' = r*eps
+// s = s_0 + eps*r*t
 // x = 1/2*z2 + 1/2*z1
 //     + a/(2*sqrt(4*k + s)*(2*sqrt(k) + sqrt(4*k + s)))*z2*z4
 //     - a/(2*sqrt(4*k + s)*(2*sqrt(k) - sqrt(4*k + s)))*z2*z3

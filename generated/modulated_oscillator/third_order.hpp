@@ -19,6 +19,7 @@
 //       + 3*I*exp(tau/2)/(8*sqrt(cos(3*tau)*exp(tau) + 2*exp(tau) + 1))*a1^2*a2
 //       - (27*sin(3*tau)*cos(3*tau)^2*exp(3*tau) - 108*sin(3*tau)*cos(3*tau)*exp(3*tau) - 48*sin(3*tau)*cos(3*tau)*exp(2*tau) - 81*sin(3*tau)*exp(3*tau) + 63*cos(3*tau)^2*exp(2*tau) + 12*sin(3*tau)*exp(2*tau) - 36*cos(3*tau)*exp(2*tau) - 21*sin(3*tau)*exp(tau) - 16*cos(3*tau)*exp(tau) - 81*exp(2*tau) + 4*exp(tau) - 1)*exp(tau)/(128*(cos(3*tau)*exp(tau) + 2*exp(tau) + 1)^4)*a1*eps^3
 // tau' = eps
+// tau = tau_0 + eps*t
 // x = 1/2*z2 + 1/2*z1
 //     - I*(3*sin(3*tau)*exp(tau) + 1)*exp(tau/2)/(16*(cos(3*tau)*exp(tau) + 2*exp(tau) + 1)^(3/2))*z2*eps
 //     + I*(3*sin(3*tau)*exp(tau) + 1)*exp(tau/2)/(16*(cos(3*tau)*exp(tau) + 2*exp(tau) + 1)^(3/2))*z1*eps

@@ -123,6 +123,20 @@ TEST(Commands, EvaluatePrintsCsv) {
     EXPECT_NE(csv.find("\n-1,,,outside_interval\n"), std::string::npos) << csv;
 }
 
+// y = eps^2/3*e^t + ...
+TEST(Commands, EvaluateSaysWhichModeLosesItsDigits) {
+    const Scratch scratch;
+    write(scratch.path() / "systems/s/system.toml",
+          "[system]\nname = \"s\"\n[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n"
+          "[equations]\nx = \"x' = -x\"\ny = \"y' = y + x^2\"\n");
+    write(scratch.path() / "systems/s/scenes/s.toml",
+          "order = 2\noutputs = [\"y\"]\n[start]\nx = \"eps\"\ny = 0\n");
+    const Outcome outcome =
+        run("resonform evaluate systems/s/scenes/s.toml --eps 1e-4 --t 12", scratch.path());
+    EXPECT_NE(outcome.err.find("resonform: low_precision: chi_2 (z2 of y)\n"), std::string::npos)
+        << outcome.err;
+}
+
 // |x(order 4) - x(order 3)|: (23) lacks terms of eps^4.
 TEST(Commands, EvaluateEstimatesErrors) {
     const std::string command = "resonform evaluate " + scenes + "xy_only.toml --t 0,10,-1 --errors --eps ";

@@ -28,10 +28,9 @@ protected:
         for (const std::string& format : formats)
             write(scratch_.path() / ("out." + format), printed(command + format));
     }
-    void derive_solution(const std::string& system, int order) const {
-        derive(path_of(system) + " --stage solution --order " + std::to_string(order), {"latex", "json"});
-        write(scratch_.path() / "out.normal_form",
-              printed("derive " + path_of(system) + " --order 3 --format json"));
+    void derive_solution(const std::string& path, int order) const {
+        derive(path + " --stage solution --order " + std::to_string(order), {"latex", "json"});
+        write(scratch_.path() / "out.normal_form", printed("derive " + path + " --order 3 --format json"));
     }
     // The equations as the file has them, and expanded.
     void derive_equations(const std::string& path) const {
@@ -63,7 +62,7 @@ TEST_P(ReadBackOf, EquationsToo) {
 TEST_P(ReadBackOf, ASolutionToo) {
     const Outcome outcome = said("derive " + path_of(GetParam()) + " --stage solution --order 2");
     if (outcome.code == 3) return; // functions without values, a linear part that is not semisimple
-    derive_solution(GetParam(), 2);
+    derive_solution(path_of(GetParam()), 2);
     EXPECT_EQ(judged("", "read_solution.py"), "equal\n");
 }
 
@@ -131,6 +130,38 @@ TEST_F(ReadBack, NamesThatAreSetApart) {
     EXPECT_EQ(judged(), "equal\n");
 }
 
+// Damping, drift and phase are integrals of sums over the slow time of a variable that relaxes.
+TEST_F(ReadBack, IntegralsOverSlowTime) {
+    write(scratch_.path() / "relaxing/system.toml",
+          system_text("relaxing",
+                      {{"u", "slow", "u' = eps*(p - q*u)"},
+                       {"x", "fast", "x'' + 2*eps*sqrt(1 + u^2)*x' + (1 + u)^2*x = 0"},
+                       {"d", "drift", "d' = eps*sqrt(1 + u^2)"}},
+                      "[parameters]\np = { positive = true }\nq = { positive = true }\n"
+                      "[domain]\npositive = [\"u\"]\n"));
+    derive_solution("relaxing/system.toml", 1);
+    const std::string latex = read(scratch_.path() / "out.latex");
+    EXPECT_NE(latex.find("  T &= \\varepsilon t\n"), std::string::npos) << latex;
+    EXPECT_NE(latex.find("\\int\\limits_{0}^{t} \\left(u + 1\\right) \\, dt"), std::string::npos) << latex;
+    EXPECT_EQ(judged("", "read_solution.py"), "equal\n");
+}
+
+// u relaxes within a slow flow.
+TEST_F(ReadBack, PathsOfSlowVariables) {
+    write(scratch_.path() / "forced/system.toml",
+          system_text("forced",
+                      {{"u", "slow", "u' = eps*(p - q*u)"},
+                       {"x", "fast", "x'' + (1 + u)^2*x = eps*cos(phi)"},
+                       {"phi", "angle", "phi' = 3"}},
+                      "[parameters]\np = {}\nq = { positive = true }\n[domain]\npositive = [\"u\"]\n"));
+    derive_solution("forced/system.toml", 1);
+    const std::string latex = read(scratch_.path() / "out.latex");
+    EXPECT_NE(latex.find("  u &= u_{0} \\exp \\left(-\\varepsilon q t\\right) + \\frac{p}{q} \\left(1 - "),
+              std::string::npos)
+        << latex;
+    EXPECT_EQ(judged("", "read_solution.py"), "equal\n");
+}
+
 TEST_F(ReadBack, DecimalNumbers) {
     derive(path_of("transition_state") + " --digits 20 --set k=7000000 b=1/3", {"latex", "json"});
     EXPECT_NE(read(scratch_.path() / "out.latex").find("\\cdot 10^{-"), std::string::npos);
@@ -163,7 +194,7 @@ TEST_F(ReadBack, NamesTheExpandedEquationThatIsWrong) {
 }
 
 TEST_F(ReadBack, NamesTheOutputThatIsWrong) {
-    derive_solution("airy", 1);
+    derive_solution(path_of("airy"), 1);
     const auto file = scratch_.path() / "out.latex";
     std::string latex = read(file);
     const std::size_t sine = latex.rfind("\\cos \\theta");

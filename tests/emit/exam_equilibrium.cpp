@@ -63,6 +63,17 @@ TEST(PrintedEquilibrium, TheEnzymeInTheUsersVariables) {
                 "c = s/(kappa + s) + delta_c\n");
 }
 
+// s - (s + kappa)*s/(s + kappa) vanishes, and is no term of the equation.
+TEST(PrintedEquilibrium, WhatItSolvesIsNoTermOfTheExpansion) {
+    const auto field = field_from(enzyme("solve"));
+    const std::string text = print_expansion(*field, 1, Format::text, nullptr);
+    expect_part(text, "\n-kappa*nu*s/(kappa + s)^3*eps + delta_c' + (kappa + s)*delta_c + O(eps^2) = 0\n");
+    const auto fast = ordered_json::parse(print_expansion(*field, 1, Format::json, nullptr))["equations"][1];
+    EXPECT_EQ(fast["variable"], "c");
+    EXPECT_EQ(fast["terms"].size(), 3);
+    for (const auto& term : fast["terms"]) EXPECT_NE(term["coefficient"], "0");
+}
+
 TEST(PrintedEquilibrium, AWellOfDuffing) {
     const auto well = [](const std::string& force, const std::string& tables) {
         return system_text("duffing", {{"x", "fast", "x'' = " + force}}, tables);

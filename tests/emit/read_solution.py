@@ -46,11 +46,13 @@ class Solution(Answer):
         law = next((s for s in self.document["slow"] if key(s["variable"]) == name), None)
         if law is None:  # T
             return point["eps"]*point["t"]
-        start, time = point[key(law["start"])], point["eps"]*point["t"]
         rate, decline = point.value(notation(law["rate"])), self.decline(law, point)
-        if decline == 0:
-            return start + time*rate
-        return start*mpmath.exp(-decline*time) - rate/decline*mpmath.expm1(-decline*time)
+        return path(point[key(law["start"])], rate, decline, point["eps"]*point["t"])
+
+    def slow_in_flow(self, name, point):
+        """Its rate is linear in it."""
+        drive, at_one = (self.sum(self.flow[name]["terms"], point.moved({name: mpmath.mpf(at)})) for at in (0, 1))
+        return path(point[name + "0"], drive, drive - at_one, point["t"])
 
     def output(self, name, point, phase):
         if self.flow:
@@ -59,6 +61,12 @@ class Solution(Answer):
         of = {"1": lambda angle: 1, "cos": mpmath.cos, "sin": mpmath.sin}
         return sum(point["eps"]**point.value(str(t["eps"]))*point.value(notation(t["coefficient"])) *
                    of[t["function"]](t["harmonic"]*point[phase]) for t in self.outputs[name])
+
+
+def path(start, rate, decline, time):
+    if decline == 0:
+        return start + time*rate
+    return start*mpmath.exp(-decline*time) - rate/decline*mpmath.expm1(-decline*time)
 
 
 def integral(point):
@@ -72,7 +80,9 @@ def primitives(solution, point):
         argument, kind = notation(primitive["argument"]), primitive["kind"]
         if kind == "quadrature":
             over = key(primitive["over"])
-            value = integral(point)(argument, over, point[over + "0"], point[over])
+            slow = over in [key(law["variable"]) for law in solution.document["slow"]]
+            start, end = (point[over + "0"], point[over]) if slow else (0, point["eps"]*point["t"])
+            value = integral(point)(argument, over, start, end)
         else:
             value = {"logarithm": mpmath.log, "exponential": mpmath.exp}[kind](point.value(argument))
         point[key(primitive["name"])] = value
@@ -110,6 +120,8 @@ def faults(latex, document, normal_form, seed):
         name = left.removesuffix("_dot")
         if heading == "frame" and left != name:
             expected = point.value(next(turning))
+        elif heading == "slow flow" and left == name:
+            expected = solution.slow_in_flow(name, point)
         elif heading == "slow flow":
             variable = amplitudes.get(name, name if name in solution.flow else name[1:])
             expected = solution.sum(solution.flow[variable]["terms"], point)

@@ -74,6 +74,16 @@ TEST(AlgebraicConstants, UnderRoots) {
         3);
 }
 
+// 3045424721 is a prime beyond trial division.
+TEST(AlgebraicConstants, RootsOfPowersOfALargePrime) {
+    test::certified(test::field_from(test::oscillator_file(
+                        "x'' + x + sqrt(9274611731277927841*7)*x^2 + sqrt(3045424721)*x^3 = 0")),
+                    3);
+    const auto field = test::field_from(test::oscillator_file("x'' + x + 9274611731277927841^(3/4)*x^3 = 0"));
+    EXPECT_EQ(test::coefficient(*field, "9274611731277927841^(3/4)"),
+              test::coefficient(*field, "3045424721*sqrt(3045424721)"));
+}
+
 // A root that depends on another one has no ring, and is shown where it stands.
 TEST(AlgebraicConstants, DependentRootsAreShown) {
     const auto field =

@@ -17,17 +17,6 @@ namespace resonform {
 
 namespace {
 
-// The jets of the fast variables, the phases of angles, then eps.
-std::vector<GeneratorId> outer_of(const EquationSeries& equations) {
-    std::vector<GeneratorId> outer;
-    for (GeneratorId id = 0; id < equations.ring->size(); ++id) {
-        const GeneratorKind kind = equations.ring->generator(id).kind;
-        if (kind == GeneratorKind::fast || kind == GeneratorKind::phase) outer.push_back(id);
-    }
-    outer.push_back(equations.eps);
-    return outer;
-}
-
 // Is it the rate of a slow variable that is not driven? Such a rate is shown unchanged.
 bool is_free(const GradedField& field, const EquationLine& line) {
     return std::any_of(field.slow.begin(), field.slow.end(), [&](const SlowVariable& slow) {
@@ -39,7 +28,7 @@ SeriesWriter writer_of(const GradedField& field, const EquationSeries& equations
     std::vector<Polynomial> all;
     for (const EquationLine& line : equations.lines)
         if (!is_free(field, line)) all.push_back(line.series.total(equations.through));
-    return {equations.ring, equations.eps, outer_of(equations), only_rate_with_eps(field), all};
+    return {equations.ring, equations.eps, equations.outer(), only_rate_with_eps(field), all};
 }
 
 const DriftFrame* frame_of(const std::vector<DriftFrame>& frames, const std::string& variable) {
@@ -107,7 +96,7 @@ Page expansion_page(const GradedField& field, int order, const Solution* solutio
 
 Json expansion_json(const GradedField& field, int order) {
     const EquationSeries equations = expand_equations(field, order);
-    const std::vector<GeneratorId> outer = outer_of(equations);
+    const std::vector<GeneratorId> outer = equations.outer();
     Json lines = Json::array();
     for (const EquationLine& line : equations.lines) {
         const std::string& variable = field.system().variables[line.variable].name;

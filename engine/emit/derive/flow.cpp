@@ -6,7 +6,9 @@
 #include "emit/display/free_name.hpp"
 #include "emit/display/json.hpp"
 #include "emit/display/normal_form_parts.hpp"
+#include "emit/display/solution_display.hpp"
 #include "solve/flow/real_form.hpp"
+#include "solve/slow_law.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +72,10 @@ public:
         for (std::size_t k = 0; k < field_.modes.size(); ++k)
             if (!flow_.modes[k].is_left_out) add(amplitude(2 * k + 1), flow_.modes[k].rate);
         for (std::size_t k = 0; k < field_.angles.size(); ++k) add(offset(k), flow_.angles[k].rate);
-        for (std::size_t k = 0; k < field_.slow.size(); ++k) add(field_.slow[k].name, flow_.slow[k]);
+        for (std::size_t k = 0; k < field_.slow.size(); ++k) {
+            add(field_.slow[k].name, flow_.slow[k]);
+            if (!remainders_) add_path(section, k);
+        }
         for (std::size_t k = 0; k < field_.drift.size(); ++k) {
             add("z_" + field_.drift[k].name, flow_.drift[k]);
             if (flow_.at_rest()) section.formulas.push_back(uniform(k));
@@ -139,6 +144,15 @@ private:
         DisplaySum value = factor_sum(symbol_factor("eps", weight(held)));
         value.terms.front().tail.push_back(sum_factor(std::move(unit)));
         return value;
+    }
+
+    // tau = tau_0 + eps*t, where that is known
+    void add_path(Section& section, std::size_t k) const {
+        const Polynomial rate = flow_.slow[k].total(flow_.slow[k].through());
+        const auto path = slow_path(ring_, field_.slow[k].generator, rate);
+        if (rate.empty() || !path) return;
+        DisplaySum moving = path_sum(ring_, field_.slow[k].name, *path);
+        if (!moving.terms.empty()) define(section, field_.slow[k].name, std::move(moving));
     }
 
     // The first power of eps at which the neglected rates of constant amplitudes, and of the drift itself,

@@ -9,7 +9,6 @@
 #include "emit/display/page.hpp"
 #include "emit/display/slow_rate.hpp"
 #include "emit/display/solution_display.hpp"
-#include "solve/quadrature.hpp"
 
 #include <fmt/format.h>
 #include <utility>
@@ -154,36 +153,17 @@ private:
     std::string amplitude_, phase_;
 };
 
-// eps*p*t
-DisplayTerm over_time(const Ring& ring, const Polynomial& p) {
-    DisplayTerm motion = factored(display(ring, p));
-    motion.factors.insert(motion.factors.begin(), symbol_factor("eps"));
-    motion.tail.push_back(symbol_factor("t"));
-    return motion;
-}
-
-// begin + eps*a*t, or begin*exp(-eps*b*t) + a/b*(1 - exp(-eps*b*t))
-DisplaySum path(const Ring& ring, DisplaySum begin, const SlowPath& law) {
-    if (!law.relaxes()) {
-        begin.terms.push_back(over_time(ring, law.drive));
-        return begin;
-    }
-    const DisplayFactor left = function_factor("exp", term_sum(over_time(ring, -law.decline)));
-    begin.terms.front().tail.push_back(left);
-    if (law.drive.empty()) return begin;
-    DisplayTerm rest = factored(display(ring, *quotient_in_ring(ring, law.drive, law.decline)));
-    rest.tail.push_back(sum_factor(number_sum(1) + -factor_sum(left)));
-    begin.terms.push_back(std::move(rest));
-    return begin;
-}
-
 } // namespace
 
 Section slow_laws(const Solution& solution) {
     Section section;
     for (const SlowLaw& law : solution.slow) {
         const std::string& name = solution.system().variables[law.variable].name;
-        define(section, name, path(*solution.ring, symbol_sum(name + "_0"), law.path));
+        const auto over_time = [&](const Polynomial& p) {
+            return solution.ring->multiply(solution.ring->gen(solution.eps), p);
+        };
+        define(section, name,
+               path_sum(*solution.ring, name, {over_time(law.path.drive), over_time(law.path.decline)}));
     }
     return section;
 }

@@ -95,10 +95,10 @@ bool has_macro(const DisplayFactor& function) { return is_elementary(function) &
 
 std::string integral(const DisplayFactor& factor) {
     const DisplaySum& integrand = factor.arguments[0];
-    return fmt::format("\\int\\limits_{{{}}}^{{{}}} {} \\, d{}", latex(factor.arguments[2]),
-                       latex(factor.arguments[3]),
-                       integrand.terms.size() > 1 ? parenthesised(latex(integrand)) : latex(integrand),
-                       latex(factor.arguments[1]));
+    const bool one_term = integrand.terms.size() == 1 && !is_bare_sum(integrand.terms.front());
+    return fmt::format(
+        "\\int\\limits_{{{}}}^{{{}}} {} \\, d{}", latex(factor.arguments[2]), latex(factor.arguments[3]),
+        one_term ? latex(integrand) : parenthesised(latex(integrand)), latex(factor.arguments[1]));
 }
 
 std::string inner(const DisplayFactor& factor) {

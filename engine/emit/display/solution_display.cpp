@@ -2,6 +2,7 @@
 #include "emit/display/solution_display.hpp"
 
 #include "emit/display/free_name.hpp"
+#include "solve/quadrature.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -41,6 +42,13 @@ DisplayFactor trigonometric(const Solution& solution, const Harmonic& harmonic) 
     return function_factor(harmonic.sine ? "sin" : "cos", std::move(angle));
 }
 
+// p*t
+DisplayTerm over_time(const Ring& ring, const Polynomial& p) {
+    DisplayTerm motion = factored(display(ring, p));
+    motion.tail.push_back(symbol_factor("t"));
+    return motion;
+}
+
 } // namespace
 
 Substitutes solution_substitutes(const Solution& solution) {
@@ -63,6 +71,19 @@ Substitutes solution_substitutes(const Solution& solution) {
 DisplaySum slow_time_sum() {
     DisplaySum sum = factor_sum(symbol_factor("eps"));
     sum.terms.front().factors.push_back(symbol_factor("t"));
+    return sum;
+}
+
+DisplaySum path_sum(const Ring& ring, const std::string& name, const SlowPath& path) {
+    DisplaySum sum = symbol_sum(name + "_0");
+    if (!path.relaxes()) return path.drive.empty() ? sum : sum + term_sum(over_time(ring, path.drive));
+    const DisplayFactor left = function_factor("exp", term_sum(over_time(ring, -path.decline)));
+    sum.terms.front().tail.push_back(left);
+    if (path.drive.empty()) return sum;
+    const auto rest = quotient_in_ring(ring, path.drive, path.decline);
+    if (!rest) return {};
+    sum.terms.push_back(factored(display(ring, *rest)));
+    sum.terms.back().tail.push_back(sum_factor(number_sum(1) + -factor_sum(left)));
     return sum;
 }
 

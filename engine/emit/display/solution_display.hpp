@@ -18,6 +18,10 @@ Substitutes solution_substitutes(const Solution& solution);
 std::string slow_time_name(const Solution& solution);
 DisplaySum slow_time_sum();
 
+// The path of a slow variable with the rate a - b xi in t: xi_0 + a*t, or xi_0*exp(-b*t) + a/b*(1 -
+// exp(-b*t)). No terms where a/b is no element of the ring.
+DisplaySum path_sum(const Ring& ring, const std::string& name, const SlowPath& path);
+
 // Does a name occur anywhere in it?
 bool mentions(const DisplaySum& sum, const std::string& name);
 

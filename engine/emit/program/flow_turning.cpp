@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace resonform {
@@ -51,9 +52,27 @@ void FlowTurning::add_phases(const FlowValues& start) {
         decaying.exponential = graph.symbol("exp " + decaying.name);
         program_.phases.push_back(std::move(decaying));
     }
+    name_owners();
     for (std::size_t k = 0; k < field_.modes.size(); ++k)
         if (field_.modes[k].is_damped() && !flow_.modes[k].passes) keep_sign(k, start);
     for (std::size_t p = 0; p < flow_.phases.size(); ++p) let_fade(p);
+}
+
+// Which modes and angles a phase or an exponent is of, in words.
+void FlowTurning::name_owners() {
+    const auto add = [&](std::optional<std::size_t> phase, std::size_t first, const std::string& owner) {
+        if (!phase) return;
+        std::string& of = program_.phases[first + *phase].of;
+        of += (of.empty() ? "" : ", ") + owner;
+    };
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        const Mode& mode = field_.modes[k];
+        const std::string owner = mode.name + " of " + field_.system().variables[mode.variable].name;
+        add(flow_.modes[k].phase, 0, owner);
+        add(flow_.modes[k].decay, flow_.phases.size(), owner);
+    }
+    for (std::size_t k = 0; k < field_.angles.size(); ++k)
+        add(flow_.angles[k].phase, 0, field_.angles[k].name);
 }
 
 void FlowTurning::let_fade(std::size_t phase) {

@@ -7,6 +7,7 @@
 #include "emit/program/flow_moment.hpp"
 #include "solve/solution.hpp"
 
+#include <cstddef>
 #include <string>
 
 namespace resonform {
@@ -26,6 +27,7 @@ public:
 private:
     void add_phases(const FlowValues& start);
     [[nodiscard]] ProgramPhase phase(const std::string& name, const Polynomial& rate);
+    void name_owners();
     void let_fade(std::size_t phase);
     void keep_sign(std::size_t mode, const FlowValues& start);
     void add_growth(std::size_t mode, const FlowValues& start);

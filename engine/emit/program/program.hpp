@@ -60,6 +60,7 @@ struct ProgramPhase {
     // The rate as a sum, where the second part turns the phase by a small angle that double has the digits of:
     // what has a factor eps^2 in theta'. -1: it is not divided.
     Graph::Node main_rate = -1, small_rate = -1;
+    std::string of = {}; // of a slow flow, what turns or decays with it: "z1 of x, z3 of y"
     [[nodiscard]] bool decays() const { return exponential >= 0; }
     [[nodiscard]] std::vector<Graph::Node> symbols() const {
         if (decays()) return {exponential};

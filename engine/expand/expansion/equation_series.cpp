@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "algebra/series/ring_domain.hpp"
 #include "expand/expansion/graded_field.hpp"
 #include "expand/expansion/translate.hpp"
 #include "model/system/names.hpp"
 #include "model/text/diagnostic.hpp"
+
+#include <utility>
 
 namespace resonform {
 
@@ -72,15 +75,18 @@ std::shared_ptr<const CoefficientRing> jet_ring(const FirstOrderSystem& first_or
     return std::make_shared<const CoefficientRing>(std::move(coefficients));
 }
 
-EquationLine make_line(std::size_t variable, bool implicit, const Series& series, int through) {
+// Without what vanishes and does not look like it: an equilibrium solves its equation only by a relation that
+// the ring does not apply.
+EquationLine make_line(std::size_t variable, bool implicit, const Series& series,
+                       const EquationSeries& equations) {
+    const RingDomain domain(equations.ring);
     EquationLine line{variable, implicit, {}, 0};
-    for (int n = 0; n <= series.through(); ++n) {
-        if (n <= through) {
-            line.series.set(n, series.part(n));
-        } else if (!series.part(n).empty()) {
+    for (int n = 0; n <= series.through() && line.next_weight == 0; ++n) {
+        Polynomial part = domain.without_vanishing(series.part(n), equations.outer());
+        if (n <= equations.through)
+            line.series.set(n, std::move(part));
+        else if (!part.empty())
             line.next_weight = n;
-            break;
-        }
     }
     return line;
 }
@@ -122,8 +128,18 @@ EquationSeries expand_equations(const GradedField& field, int through) {
     EquationSeries result{shared, coefficients.ring(), coefficients.eps(), through, {}};
     for (std::size_t v = 0; v < system.variables.size(); ++v)
         result.lines.push_back(
-            make_line(v, system.variables[v].role == Role::fast, run.series(lines[v]), through));
+            make_line(v, system.variables[v].role == Role::fast, run.series(lines[v]), result));
     return result;
+}
+
+std::vector<GeneratorId> EquationSeries::outer() const {
+    std::vector<GeneratorId> outer;
+    for (GeneratorId id = 0; id < ring->size(); ++id) {
+        const GeneratorKind kind = ring->generator(id).kind;
+        if (kind == GeneratorKind::fast || kind == GeneratorKind::phase) outer.push_back(id);
+    }
+    outer.push_back(eps);
+    return outer;
 }
 
 } // namespace resonform

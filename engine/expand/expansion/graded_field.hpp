@@ -147,6 +147,8 @@ struct EquationSeries {
     GeneratorId eps;
     int through = 0;
     std::vector<EquationLine> lines; // one per variable, in file order
+    // The generators that make up monomials: jets of the fast variables, phases, eps.
+    [[nodiscard]] std::vector<GeneratorId> outer() const;
 };
 EquationSeries expand_equations(const GradedField& field, int through);
 

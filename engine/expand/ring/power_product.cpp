@@ -84,7 +84,16 @@ private:
             }
             if (multiplicity > 0) append_integer(p, multiplicity * exponent);
         }
-        if (rest > 1) append_integer(rest, exponent);
+        if (rest > 1) append_unsplit(rest, exponent);
+    }
+
+    // All its prime factors are beyond trial division. A power of one of these must not stand beside its
+    // root.
+    void append_unsplit(Integer base, Rational exponent) {
+        Integer root;
+        for (int n = 2; cln::expt_pos(Integer(largest_trial_divisor), n) < base; ++n)
+            for (; cln::rootp(base, Integer(n), &root); base = root) exponent = n * exponent;
+        append_integer(base, exponent);
     }
 
     // p^(n + f) with 0 <= f < 1: the whole part goes into the number.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <type_traits>
 #include <utility>
 
@@ -30,6 +31,21 @@ template <> constexpr const char* type_name<long double> = "long double";
 
 double share(const Wide& part, const Wide& whole) {
     return whole > 0 ? static_cast<double>(Wide(part / whole)) : 0;
+}
+
+// The most modes that a term of an output has as factors: of weight 0 they may be more than weights are kept.
+int most_modes(const SymbolicSolution& symbolic) {
+    std::set<GeneratorId> modes;
+    for (const SymbolicVariable& v : symbolic.variables())
+        if (v.kind == SymbolicVariable::Kind::mode) modes.insert({v.id, v.conjugate});
+    int most = 0;
+    for (const SymbolicOutput& output : symbolic.outputs())
+        for (const SymbolicTerm& term : output.sum) {
+            int count = 0;
+            for (const auto& [id, power] : term.powers) count += modes.count(id) > 0 ? power : 0;
+            most = std::max(most, count);
+        }
+    return most;
 }
 
 bool agree(Status emitted, Status exact) {
@@ -237,10 +253,11 @@ bool EmittedJudge<Real>::at_edge(Status status, const SymbolicPoint& exact, cons
             if (abs(value) > Wide(std::numeric_limits<Real>::max())) return true;
     if (!beside)
         beside = std::make_unique<SymbolicEvaluator>(symbolic_, asked.inputs, asked.inputs.slow_time_end);
-    if (status == Status::overflow) // a power of a mode may be, though no value is
+    if (status == Status::overflow) { // a power of a mode may be, though no value is
+        const int power = std::max(program_.truncation, most_modes(*symbolic_));
         for (const Wide& chi : beside->exponents(Wide(t)))
-            if (program_.truncation * chi > log(Wide(std::numeric_limits<Real>::max())) - little_room)
-                return true;
+            if (power * chi > log(Wide(std::numeric_limits<Real>::max())) - little_room) return true;
+    }
     if (status == Status::outside_interval && exact.status == Status::ok &&
         beside->loses_phase(Wide(t), asked.inputs.slow_time_end / asked.inputs.eps,
                             phase_resolution<Real>(is_flow_)))

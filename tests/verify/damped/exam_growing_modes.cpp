@@ -73,6 +73,15 @@ TEST_F(GrowingModes, OverflowInTheirPowers) {
     EXPECT_EQ(v.emitted.verdict, Verdict::pass) << to_text(v.emitted);
 }
 
+// Of weight 0: e^{3t} at order 1, though normal form and map are used through weight 2.
+TEST_F(GrowingModes, OverflowInPowersThatWeighNothing) {
+    const Verification v = test::verified(test::line_of(written(
+        "[variables]\ny = { role = \"fast\", weight = 0 }\n[equations]\ny = \"y' = 0.27*y - 0.2*eps*y^3\"\n",
+        "order = 1\ntime_scale = 1\noutputs = [\"y\"]\n[start]\ny = \"-0.001\"\n[verify]\neps = [0.05, 0.02, "
+        "0.01]\n")));
+    EXPECT_EQ(v.emitted.verdict, Verdict::pass) << to_text(v.emitted);
+}
+
 // At 2 tau between rates, |D|^2 <= D' = 2 eps, a start is not taken apart, whether they decay or grow.
 TEST_F(GrowingModes, AResonanceOfRatesAtTheStartIsOutside) {
     for (const std::string sign : {"", "-"})
