@@ -57,8 +57,8 @@ struct ProgramPhase {
     // Where its rate, or a divisor of what decays with it, may vanish: lists of nodes of a call. One of each
     // list is > 0, or digits are lost.
     std::vector<std::vector<Graph::Node>> precision = {};
-    // The rate as a sum, where the second part turns the phase by a small angle that double has the digits of:
-    // what has a factor eps^2 in theta'. -1: it is not divided.
+    // The rate as a sum, where the second part turns the phase by a small angle that double has the digits
+    // of: what has a factor eps^2 in theta'. -1: it is not divided.
     Graph::Node main_rate = -1, small_rate = -1;
     std::string of = {}; // of a slow flow, what turns or decays with it: "z1 of x, z3 of y"
     [[nodiscard]] bool decays() const { return exponential >= 0; }
