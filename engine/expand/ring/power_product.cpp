@@ -91,7 +91,7 @@ private:
     // root.
     void append_unsplit(Integer base, Rational exponent) {
         Integer root;
-        for (int n = 2; cln::expt_pos(Integer(largest_trial_divisor), n) < base; ++n)
+        for (unsigned n = 2; cln::expt_pos(Integer(largest_trial_divisor), n) < base; ++n)
             for (; cln::rootp(base, Integer(n), &root); base = root) exponent = n * exponent;
         append_integer(base, exponent);
     }
