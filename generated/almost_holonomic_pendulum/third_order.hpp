@@ -625,14 +625,14 @@ private:
                 start = {known.theta_0};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
-                if constexpr (std::is_same_v<Number, Real>)
+                if constexpr (std::is_same_v<Number, Real>) {
                     return course.c;
-                else
+                } else {
                     return own;
+                }
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& known = constants(course);
-                return {theta_rate(known, T)};
+                return {theta_rate(constants(course), T)};
             }
             std::array<Number, 1> main(const Course& course, const Number& T, [[maybe_unused]] const Columns& row) const {
                 return {theta_main_rate(constants(course), T)};

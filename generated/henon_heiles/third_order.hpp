@@ -748,14 +748,14 @@ private:
                 start = {known.c_8};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
-                if constexpr (std::is_same_v<Number, Real>)
+                if constexpr (std::is_same_v<Number, Real>) {
                     return course.c;
-                else
+                } else {
                     return own;
+                }
             }
             std::array<Number, 1> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& known = constants(course);
-                return {theta_rate(known, T)};
+                return {theta_rate(constants(course), T)};
             }
         };
     };

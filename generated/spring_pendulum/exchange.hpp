@@ -554,14 +554,14 @@ private:
                 start = {known.c_11, known.c_11};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
-                if constexpr (std::is_same_v<Number, Real>)
+                if constexpr (std::is_same_v<Number, Real>) {
                     return course.c;
-                else
+                } else {
                     return own;
+                }
             }
             std::array<Number, 2> operator()([[maybe_unused]] const Course& course, [[maybe_unused]] const Number& T, [[maybe_unused]] const Columns& row) const {
-                [[maybe_unused]] const auto& known = constants(course);
-                return {theta_1_rate(known, T), theta_2_rate(known, T)};
+                return {theta_1_rate(constants(course), T), theta_2_rate(constants(course), T)};
             }
         };
     };

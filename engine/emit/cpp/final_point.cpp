@@ -80,7 +80,7 @@ std::string CppCourse::conditions() const {
 std::string CppCourse::phase_rates() const {
     std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k)
-        list.push_back(fmt::format("{}_rate(known, T{})", plan_.phase_names[k],
+        list.push_back(fmt::format("{}_rate(constants(course), T{})", plan_.phase_names[k],
                                    plan_.phase_uses_tables[k] ? ", widened<Number>(row)" : ""));
     return fmt::format("{}", fmt::join(list, ", "));
 }
