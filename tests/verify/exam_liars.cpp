@@ -68,6 +68,15 @@ TEST(SlowLiars, OfASceneAreCaught) {
     }
 }
 
+TEST(SlowLiars, InAClosedSolutionAreCaughtByTheLadder) {
+    const test::SceneLine line = test::line_of(test::scene_of("airy", "waves"));
+    Lies lies;
+    lies.threshold = 16;
+    lies_in_solution(line.system, line.scene, line.solution, test::options(), lies);
+    EXPECT_EQ(lies.survivors(), 0U) << to_text(lies);
+    EXPECT_GE(caught_by(lies.all, "ladder"), 5U);
+}
+
 // Those in a weight that moves no output at a claimed order, which no ladder sees, too.
 TEST(Liars, InASlowFlowAreCaughtByItsCertificate) {
     const test::SceneLine line = test::line_of(test::scene_of("driven_duffing", "forced_oscillation"));
