@@ -114,7 +114,8 @@ template <class Number, class Seen, std::size_t n> struct GaussSum {
     Seen last = Seen(0), before = Seen(0), size = Seen(0); // coefficients; the largest value
 
     void add(std::size_t j, const Number& number) { add(j, number, static_cast<Seen>(number)); }
-    // value: what is judged, if there is more to the integrand than `number`.
+    // number is summed. value is the whole integrand there, of which number may be a part; it tells whether
+    // the nodes suffice.
     void add(std::size_t j, const Number& number, const Seen& value) {
         whole = added_product(whole, Number(gauss.weight[j]), number);
         last = last + Seen(seen.last[0][j]) * value;

@@ -207,8 +207,8 @@ private:
         return result;
     }
 
-    // Terms that add up to less than 1/128 of a turn, with what they grow by within a row, need no more
-    // digits than Real has.
+    // The polynomial by powers of x - centre. The last terms, together below 1/128 of a turn, are re-expanded
+    // in Real: they grow by little within a row, so that its rounding stays below a last place of the angle.
     static Coefficients around(const Coefficients& c, const Wide& centre) {
         const Real negligible = math::epsilon<Real>() / Real(4096);
         std::size_t used = terms;

@@ -21,15 +21,17 @@ public:
             if (flow_.modes[k].is_left_out) on_manifold.at_zero.push_back(k);
         add_rates(on_manifold.rates);
         add(flow_.outputs, on_manifold.states);
-        add(flow_.state, flow_.may_grow() ? on_manifold.states : whole.states);
-        const auto held = [&](const Restated& restated) {
-            return complaint_of(restated, normal_form_, solution_.normalization->map);
-        };
+        const bool start_is_whole = !flow_.may_grow() && !on_manifold.at_zero.empty();
+        add(flow_.state, start_is_whole ? whole.states : on_manifold.states);
         const std::string first = held(on_manifold);
-        return first.empty() ? held(whole) : first;
+        return first.empty() && start_is_whole ? held(whole) : first;
     }
 
 private:
+    [[nodiscard]] std::string held(const Restated& restated) const {
+        return complaint_of(restated, normal_form_, solution_.normalization->map);
+    }
+
     void add_rates(std::vector<Restated::Rate>& rates) const {
         const auto add = [&](SeriesName::Kind kind, std::size_t k, const Polynomial& rate, int through) {
             rates.push_back({{kind, k}, Series::split(ring_, rate, through)});
