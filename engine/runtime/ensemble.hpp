@@ -196,7 +196,7 @@ private:
         std::array<typename Single::Start, kernel::pack_lanes> start;
         const auto from = [&](std::size_t j) { return i + std::min(j, count - 1); };
         const auto load = [&](const double* array) {
-            Pack x;
+            Pack x(0);
             if (count == kernel::pack_lanes) return Pack::load(array + i);
             for (std::size_t j = 0; j < kernel::pack_lanes; ++j) x.set(j, array[from(j)]);
             return x;

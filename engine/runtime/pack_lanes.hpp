@@ -93,9 +93,9 @@ struct Mask {
 
 struct Pack {
     using L = Lanes<lanes>;
-    typename L::Vector v[vectors]{};
+    typename L::Vector v[vectors];
 
-    Pack() = default;
+    Pack() = default; // no number: arrays of them would be set to 0 first, which takes a tenth of a member's time
     template <class Number>
     requires std::is_arithmetic_v<Number>
     explicit Pack(Number x) {
@@ -162,7 +162,7 @@ inline Pack smaller(const Pack& a, const Pack& b) { return Pack::of(Chosen::smal
 
 // Lane by lane.
 template <class Function, class... Packs> Pack each(const Function& f, const Packs&... x) {
-    Pack result;
+    Pack result(0);
     for (std::size_t i = 0; i < pack_lanes; ++i) result.set(i, f(x[i]...));
     return result;
 }

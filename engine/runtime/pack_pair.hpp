@@ -14,11 +14,11 @@ struct PackPair {
 
     PackPair() = default;
     PackPair(const Pack& h, const Pack& l) : high(h), low(l) {}
-    explicit PackPair(const Pack& x) : high(x) {}
+    explicit PackPair(const Pack& x) : high(x), low(0) {}
     explicit PackPair(const Twice<double>& x) : high(x.high), low(x.low) {}
     template <class Number>
     requires std::is_arithmetic_v<Number>
-    explicit PackPair(Number x) : high(x) {}
+    explicit PackPair(Number x) : high(x), low(0) {}
     explicit operator Pack() const { return high + low; }
 
     static PackPair product(const Pack& a, const Pack& b) {
@@ -83,7 +83,7 @@ inline PackPair sqrt(const PackPair& x) {
 
 // Lane by lane.
 template <class Function, class... Pairs> PackPair each_pair(const Function& f, const Pairs&... x) {
-    PackPair result;
+    PackPair result(0);
     for (std::size_t i = 0; i < pack_lanes; ++i) {
         const Twice<double> own = f(Twice<double>(x.high[i], x.low[i])...);
         result.high.set(i, own.high);

@@ -145,24 +145,24 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number tau_0{};
-        Number phase_psi{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
+        Number eps;
+        Number tau_0;
+        Number phase_psi;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
     };
 
     template <class Number> static void compute_constants(
@@ -256,6 +256,47 @@ private:
             return keep(scaled, c);
         } else { // side by side
             return {fits ? Status::ok : Status::overflow, ""};
+        }
+    }
+
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number tau_0;
+        Number phase_psi;
+        Number c_1;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.tau_0 = Number(start.tau_0);
+        const Number psi_0 = Number(start.psi_0);
+        const Number k_1 = Number(1) / Number(4) * eps * psi_0;
+        const Number psi_dot_0 = Number(start.psi_dot_0);
+        const Number k_2 = c.tau_0 * (Number(1) / Number(4) * c.tau_0 * psi_dot_0 - k_1) + Number(1) / Number(4) * psi_dot_0;
+        const Number k_3 = c.tau_0 * c.tau_0;
+        const Number k_4 = eps * (eps * k_2 + Number(1) / Number(2) * c.tau_0 * psi_0) + psi_dot_0 * (-Number(1) - k_3);
+        const Number k_5 = eps * eps * (Number(1) / Number(4) + Number(1) / Number(4) * k_3);
+        const Number k_6 = psi_dot_0 * (k_5 - Number(1) / Number(2) - Number(1) / Number(2) * k_3);
+        const Number k_7 = c.tau_0 * (k_6 + Number(1) / Number(2) * eps * c.tau_0 * psi_0) + k_1;
+        c.phase_psi = atan2(k_4, Number(psi_0 + eps * k_7));
+        c.c_1 = Number(1) / eps;
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.tau_0 = all.tau_0;
+            c.phase_psi = all.phase_psi;
+            c.c_1 = all.c_1;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
         }
     }
 
@@ -428,12 +469,16 @@ private:
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 2>{c.c_12, c.c_13}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                } else if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.phase_psi};
             }
@@ -494,7 +539,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

@@ -161,29 +161,29 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number c_1{};
-        Number tau_0{};
-        Number u_psi{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number v_psi{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
+        Number eps;
+        Number c_1;
+        Number tau_0;
+        Number u_psi;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number v_psi;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
     };
 
     template <class Number> static void compute_constants(
@@ -304,6 +304,38 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number tau_0;
+        Number c_8;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_1 = Number(1) / eps;
+        c.tau_0 = Number(start.tau_0);
+        c.c_8 = Number(0);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_1 = all.c_1;
+            c.tau_0 = all.tau_0;
+            c.c_8 = all.c_8;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // The slow flow: du_psi/dT, dv_psi/dT
     template <class Number> static std::array<Number, 2> flow_rates(
             const Constants<Number>& c, const Number& T, const std::array<Number, 2>& flow) {
@@ -340,7 +372,7 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number theta_rate(const Some& c, const Number& T) {
         const Number tau = T + c.tau_0;
         const Number q_1 = exp(tau);
         const Number q_2 = q_1 * q_1;
@@ -507,12 +539,14 @@ private:
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 1>{c.c_18}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_8};
             }
@@ -576,7 +610,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

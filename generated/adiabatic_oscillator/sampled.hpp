@@ -178,21 +178,21 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number c_1{};
-        Number tau_0{};
-        Number c_2{};
-        Number c_3{};
-        Number u_psi{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number v_psi{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
+        Number eps;
+        Number c_1;
+        Number tau_0;
+        Number c_2;
+        Number c_3;
+        Number u_psi;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number v_psi;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
     };
 
     template <class Number> static void compute_constants(
@@ -449,7 +449,9 @@ private:
             decltype(Evaluator::edges(own)) edges;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_8};
                 edges = Evaluator::edges(known);
@@ -512,7 +514,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

@@ -145,24 +145,24 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number tau_0{};
-        Number eps{};
-        Number c_1{};
-        Number c_2{};
-        Number phase_psi{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
+        Number tau_0;
+        Number eps;
+        Number c_1;
+        Number c_2;
+        Number phase_psi;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
     };
 
     template <class Number> static void compute_constants(
@@ -470,7 +470,9 @@ private:
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.phase_psi};
             }
@@ -531,7 +533,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

@@ -144,21 +144,21 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number tau_0{};
-        Number eps{};
-        Number phase_x{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
+        Number tau_0;
+        Number eps;
+        Number phase_x;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
     };
 
     template <class Number> static void compute_constants(
@@ -254,6 +254,50 @@ private:
             return keep(scaled, c);
         } else { // side by side
             return {fits ? Status::ok : Status::overflow, ""};
+        }
+    }
+
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number tau_0;
+        Number phase_x;
+        Number c_1;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.tau_0 = Number(start.tau_0);
+        const Number k_1 = Number(1) / c.tau_0;
+        const Number k_2 = k_1 * k_1;
+        const Number k_3 = k_2 * k_2 * k_1;
+        const Number eps = Number(given_eps);
+        const Number x_0 = Number(start.x_0);
+        const Number x_dot_0 = Number(start.x_dot_0);
+        const Number k_4 = Number(35) / Number(256) * eps * x_0 + Number(5) / Number(64) * c.tau_0 * x_dot_0;
+        const Number k_5 = c.tau_0 * c.tau_0;
+        const Number k_6 = k_5 * c.tau_0;
+        const Number k_7 = k_5 * k_5;
+        const Number k_8 = eps * (eps * k_4 - Number(1) / Number(8) * x_0 * k_6) - x_dot_0 * k_7;
+        const Number k_9 = Number(7) / Number(64) * x_0 * k_5 - Number(35) / Number(256) * eps * x_dot_0;
+        const Number k_10 = eps * (eps * k_9 + Number(1) / Number(8) * x_dot_0 * k_6) + x_0 * (k_7 * c.tau_0);
+        c.phase_x = atan2(Number(sqrt(c.tau_0) * k_3 * k_8), Number(k_3 * k_10));
+        c.c_1 = Number(1) / eps;
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.tau_0 = all.tau_0;
+            c.phase_x = all.phase_x;
+            c.c_1 = all.c_1;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
         }
     }
 
@@ -429,12 +473,16 @@ private:
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 2>{c.c_10, c.c_11}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (resonform::divides_rates<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                } else if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.phase_x};
             }
@@ -495,7 +543,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

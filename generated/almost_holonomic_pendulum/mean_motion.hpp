@@ -148,20 +148,20 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number xi_0{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number C_X{};
-        Number C_Y{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
+        Number xi_0;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number C_X;
+        Number C_Y;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
     };
 
     template <class Number> static void compute_constants(
@@ -419,7 +419,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     Real eps_{};

@@ -169,40 +169,40 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number xi_0{};
-        Number C_delta{};
-        Number c_1{};
-        Number eps{};
-        Number c_2{};
-        Number c_3{};
-        Number theta_0{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number C_X{};
-        Number C_Y{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
+        Number xi_0;
+        Number C_delta;
+        Number c_1;
+        Number eps;
+        Number c_2;
+        Number c_3;
+        Number theta_0;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number C_X;
+        Number C_Y;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
     };
 
     template <class Number> static void compute_constants(
@@ -243,6 +243,21 @@ private:
         c.c_26 = Number(3) / Number(64) * (c.c_24 * c.c_24);
         c.c_27 = Number(2) * c.c_2;
         c.c_28 = Number(1) / Number(64) * c.c_2;
+    }
+
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number xi_0;
+        Number theta_0;
+        Number c_6;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.xi_0 = Number(start.xi_0);
+        const Number eps = Number(given_eps);
+        c.theta_0 = Number(start.theta_0);
+        c.c_6 = Number(1) / eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -605,22 +620,17 @@ private:
         auto margins(const Real& T) const { return layers(c, T); }
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
-        template <class Number> struct SomeConstants {
-            Number xi_0, theta_0, c_6;
-        };
         template <class Number> struct Angles {
-            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (resonform::divides_rates<Number, Real>) {
-                    Constants<Number> all;
-                    compute_constants(course.eps, course.parameters, course.given, all);
-                    own.xi_0 = all.xi_0;
-                    own.theta_0 = all.theta_0;
-                    own.c_6 = all.c_6;
-                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                    compute_phase_constants(course.eps, course.parameters, course.given, own);
+                } else if constexpr (!std::is_same_v<Number, Real>) {
+                    compute_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.theta_0};
             }
@@ -685,7 +695,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;

@@ -174,167 +174,67 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number u_x{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number v_x{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
-        Number c_29{};
-        Number c_30{};
-        Number c_31{};
-        Number c_32{};
-        Number c_33{};
-        Number c_34{};
-        Number c_35{};
-        Number c_36{};
-        Number c_37{};
-        Number c_38{};
-        Number c_39{};
-        Number c_40{};
-        Number c_41{};
-        Number c_42{};
-        Number c_43{};
-        Number c_44{};
-        Number c_45{};
-        Number c_46{};
-        Number c_47{};
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number u_x;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number v_x;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
+        Number c_29;
+        Number c_30;
+        Number c_31;
+        Number c_32;
+        Number c_33;
+        Number c_34;
+        Number c_35;
+        Number c_36;
+        Number c_37;
+        Number c_38;
+        Number c_39;
+        Number c_40;
+        Number c_41;
+        Number c_42;
+        Number c_43;
+        Number c_44;
+        Number c_45;
+        Number c_46;
+        Number c_47;
     };
 
     template <class Number> struct compute_constants_quantities {
-        Number eps{};
-        Number x_0{};
-        Number k_1{};
-        Number y_0{};
-        Number k_2{};
-        Number k_3{};
-        Number k_4{};
-        Number k_5{};
-        Number k_6{};
-        Number k_7{};
-        Number k_8{};
-        Number k_9{};
-        Number k_10{};
-        Number k_11{};
-        Number k_12{};
-        Number k_13{};
-        Number k_14{};
-        Number k_15{};
-        Number k_16{};
-        Number k_17{};
-        Number k_18{};
-        Number k_19{};
-        Number k_20{};
-        Number k_21{};
-        Number k_22{};
-        Number k_23{};
-        Number k_24{};
-        Number k_25{};
-        Number k_26{};
-        Number k_27{};
-        Number k_28{};
-        Number k_29{};
-        Number k_30{};
-        Number k_31{};
-        Number k_32{};
-        Number k_33{};
-        Number k_34{};
-        Number k_35{};
-        Number k_36{};
-        Number k_37{};
-        Number k_38{};
-        Number k_39{};
-        Number k_40{};
-        Number k_41{};
-        Number k_42{};
-        Number k_43{};
-        Number k_44{};
-        Number k_45{};
-        Number k_46{};
-        Number k_47{};
-        Number k_48{};
-        Number k_49{};
-        Number k_50{};
-        Number k_51{};
-        Number k_52{};
-        Number k_53{};
-        Number k_54{};
-        Number k_55{};
-        Number k_56{};
-        Number k_57{};
-        Number k_58{};
-        Number k_59{};
-        Number k_60{};
-        Number k_61{};
-        Number k_62{};
-        Number k_63{};
-        Number k_64{};
-        Number k_65{};
-        Number k_66{};
-        Number k_67{};
-        Number k_68{};
-        Number k_69{};
-        Number k_70{};
-        Number k_71{};
-        Number k_72{};
-        Number k_73{};
-        Number k_74{};
-        Number k_75{};
-        Number k_76{};
-        Number k_77{};
-        Number k_78{};
-        Number k_79{};
-        Number k_80{};
-        Number k_81{};
-        Number k_82{};
-        Number k_83{};
-        Number k_84{};
-        Number k_85{};
-        Number k_86{};
-        Number k_87{};
-        Number k_88{};
-        Number k_89{};
-        Number k_90{};
-        Number k_91{};
-        Number k_92{};
-        Number k_93{};
-        Number k_94{};
-        Number k_95{};
-        Number k_96{};
-        Number k_97{};
-        Number k_98{};
-        Number k_99{};
-        Number k_100{};
-        Number k_101{};
-        Number k_102{};
-        Number k_103{};
-        Number k_104{};
-        Number k_105{};
-        Number k_106{};
+        Number eps;
+        Number k_30;
+        Number k_59;
+        Number k_61;
+        Number k_62;
+        Number k_63;
+        Number k_65;
+        Number k_72;
+        Number k_75;
     };
 
     template <class Number> static void compute_constants_1(
@@ -343,158 +243,158 @@ private:
         c.c_1 = sqrt(w.eps);
         c.c_2 = Number(1) / w.eps;
         c.c_3 = c.c_1 * c.c_2;
-        w.x_0 = Number(start.x_0);
-        w.k_1 = w.x_0 - Number(1);
-        w.y_0 = Number(start.y_0);
-        w.k_2 = -w.k_1 - (w.y_0 - Number(2));
-        w.k_3 = c.c_3 * (Number(20653) / Number(201600)) * w.k_2 - c.c_3 * (Number(850463) / Number(2177280)) * w.k_1;
-        w.k_4 = w.k_2 * w.k_2;
-        w.k_5 = c.c_3 * w.k_1 * w.k_3 + Number(120769) / Number(2177280) * c.c_2 * w.k_4 + Number(3767) / Number(11520);
-        w.k_6 = Number(46237) / Number(259200) - Number(34639) / Number(60480) * c.c_2 * w.k_4;
-        w.k_7 = c.c_3 * (Number(1919) / Number(7680)) * w.k_1 + c.c_3 * (Number(3) / Number(256)) * w.k_2;
-        w.k_8 = c.c_1 * (c.c_3 * w.k_1 * w.k_5 + c.c_3 * w.k_2 * w.k_6) + c.c_3 * w.k_1 * w.k_7 + Number(7799) / Number(34560) * c.c_2 * w.k_4 - Number(73) / Number(192);
-        w.k_9 = Number(326609) / Number(725760) * c.c_2 * w.k_4 - Number(1217) / Number(1920);
-        w.k_10 = c.c_3 * w.k_2 * (c.c_1 * w.k_9 - c.c_3 * (Number(19) / Number(384)) * w.k_2);
-        w.k_11 = c.c_3 * w.k_1 * w.k_8 + c.c_3 * w.k_2 * (w.k_10 + Number(1853) / Number(2880)) + Number(4207) / Number(8640) * c.c_1;
-        w.k_12 = Number(46631) / Number(86400) - Number(63151) / Number(201600) * c.c_2 * w.k_4;
-        w.k_13 = c.c_1 * w.k_12 + c.c_3 * (Number(16757) / Number(207360)) * w.k_2;
-        w.k_14 = c.c_3 * w.k_2 * (c.c_3 * w.k_2 * w.k_13 + Number(75) / Number(64));
-        w.k_15 = c.c_3 * w.k_1 * w.k_11 + c.c_3 * w.k_2 * (w.k_14 + Number(33) / Number(32) * c.c_1) - Number(163) / Number(288);
-        w.k_16 = Number(100981) / Number(3628800) * c.c_2 * w.k_4 + Number(14467) / Number(11520);
-        w.k_17 = c.c_3 * w.k_2 * (c.c_1 * w.k_16 + c.c_3 * (Number(75) / Number(256)) * w.k_2);
-        w.k_18 = c.c_3 * w.k_2 * (w.k_17 - Number(5563) / Number(8640)) - Number(8017) / Number(8640) * c.c_1;
-        w.k_19 = c.c_3 * w.k_2 * (c.c_3 * w.k_2 * w.k_18 + Number(9) / Number(32));
+        const Number x_0 = Number(start.x_0);
+        const Number k_1 = x_0 - Number(1);
+        const Number y_0 = Number(start.y_0);
+        const Number k_2 = -k_1 - (y_0 - Number(2));
+        const Number k_3 = c.c_3 * (Number(20653) / Number(201600)) * k_2 - c.c_3 * (Number(850463) / Number(2177280)) * k_1;
+        const Number k_4 = k_2 * k_2;
+        const Number k_5 = c.c_3 * k_1 * k_3 + Number(120769) / Number(2177280) * c.c_2 * k_4 + Number(3767) / Number(11520);
+        const Number k_6 = Number(46237) / Number(259200) - Number(34639) / Number(60480) * c.c_2 * k_4;
+        const Number k_7 = c.c_3 * (Number(1919) / Number(7680)) * k_1 + c.c_3 * (Number(3) / Number(256)) * k_2;
+        const Number k_8 = c.c_1 * (c.c_3 * k_1 * k_5 + c.c_3 * k_2 * k_6) + c.c_3 * k_1 * k_7 + Number(7799) / Number(34560) * c.c_2 * k_4 - Number(73) / Number(192);
+        const Number k_9 = Number(326609) / Number(725760) * c.c_2 * k_4 - Number(1217) / Number(1920);
+        const Number k_10 = c.c_3 * k_2 * (c.c_1 * k_9 - c.c_3 * (Number(19) / Number(384)) * k_2);
+        const Number k_11 = c.c_3 * k_1 * k_8 + c.c_3 * k_2 * (k_10 + Number(1853) / Number(2880)) + Number(4207) / Number(8640) * c.c_1;
+        const Number k_12 = Number(46631) / Number(86400) - Number(63151) / Number(201600) * c.c_2 * k_4;
+        const Number k_13 = c.c_1 * k_12 + c.c_3 * (Number(16757) / Number(207360)) * k_2;
+        const Number k_14 = c.c_3 * k_2 * (c.c_3 * k_2 * k_13 + Number(75) / Number(64));
+        const Number k_15 = c.c_3 * k_1 * k_11 + c.c_3 * k_2 * (k_14 + Number(33) / Number(32) * c.c_1) - Number(163) / Number(288);
+        const Number k_16 = Number(100981) / Number(3628800) * c.c_2 * k_4 + Number(14467) / Number(11520);
+        const Number k_17 = c.c_3 * k_2 * (c.c_1 * k_16 + c.c_3 * (Number(75) / Number(256)) * k_2);
+        const Number k_18 = c.c_3 * k_2 * (k_17 - Number(5563) / Number(8640)) - Number(8017) / Number(8640) * c.c_1;
+        const Number k_19 = c.c_3 * k_2 * (c.c_3 * k_2 * k_18 + Number(9) / Number(32));
         c.c_4 = Number(3) / Number(32);
-        w.k_20 = -c.c_3 * (Number(593) / Number(2160)) * w.k_1 - c.c_3 * (Number(13) / Number(48)) * w.k_2;
+        const Number k_20 = -c.c_3 * (Number(593) / Number(2160)) * k_1 - c.c_3 * (Number(13) / Number(48)) * k_2;
         c.c_5 = Number(15) / Number(32);
-        w.k_21 = c.c_3 * w.k_1 * w.k_20 + Number(29) / Number(180) * c.c_2 * w.k_4 + c.c_5;
-        w.k_22 = c.c_3 * w.k_2 * (Number(7) / Number(16) * c.c_2 * w.k_4 - Number(47) / Number(48));
-        w.k_23 = Number(9) / Number(32) - Number(313) / Number(2160) * c.c_2 * w.k_4;
-        w.k_24 = c.c_1 * (c.c_3 * w.k_1 * w.k_15 + w.k_19 + c.c_4 * c.c_1) + c.c_3 * w.k_1 * (c.c_3 * w.k_1 * w.k_21 + w.k_22) + c.c_2 * w.k_4 * w.k_23 + Number(5) / Number(12);
-        w.k_25 = c.c_3 * c.c_5 * w.k_1 - c.c_3 * (Number(101) / Number(288)) * w.k_2;
-        w.k_26 = c.c_3 * w.k_1 * w.k_25 + c.c_4 * c.c_2 * w.k_4 + Number(13) / Number(12);
-        w.k_27 = c.c_1 * (c.c_2 * c.c_2);
-        w.k_28 = w.k_1 * w.k_1;
-        w.k_29 = c.c_1 * w.k_24 + c.c_3 * w.k_2 * w.k_26 + w.k_27 * (Number(127) / Number(288)) * (w.k_28 * w.k_1);
+        const Number k_21 = c.c_3 * k_1 * k_20 + Number(29) / Number(180) * c.c_2 * k_4 + c.c_5;
+        const Number k_22 = c.c_3 * k_2 * (Number(7) / Number(16) * c.c_2 * k_4 - Number(47) / Number(48));
+        const Number k_23 = Number(9) / Number(32) - Number(313) / Number(2160) * c.c_2 * k_4;
+        const Number k_24 = c.c_1 * (c.c_3 * k_1 * k_15 + k_19 + c.c_4 * c.c_1) + c.c_3 * k_1 * (c.c_3 * k_1 * k_21 + k_22) + c.c_2 * k_4 * k_23 + Number(5) / Number(12);
+        const Number k_25 = c.c_3 * c.c_5 * k_1 - c.c_3 * (Number(101) / Number(288)) * k_2;
+        const Number k_26 = c.c_3 * k_1 * k_25 + c.c_4 * c.c_2 * k_4 + Number(13) / Number(12);
+        const Number k_27 = c.c_1 * (c.c_2 * c.c_2);
+        const Number k_28 = k_1 * k_1;
+        const Number k_29 = c.c_1 * k_24 + c.c_3 * k_2 * k_26 + k_27 * (Number(127) / Number(288)) * (k_28 * k_1);
         c.c_6 = Number(2) / Number(3);
-        w.k_30 = c.c_1 * (c.c_1 * w.k_29 + c.c_6 * c.c_2 * w.k_4 - c.c_6 * c.c_2 * w.k_28);
-        c.u_x = c.c_3 * w.k_1 + w.k_30;
-        w.k_31 = w.eps * c.c_1;
-        c.c_7 = w.k_31 * (Number(1) / Number(96));
-        c.c_8 = w.k_31 * (Number(385) / Number(3456));
+        w.k_30 = c.c_1 * (c.c_1 * k_29 + c.c_6 * c.c_2 * k_4 - c.c_6 * c.c_2 * k_28);
+        c.u_x = c.c_3 * k_1 + w.k_30;
+        const Number k_31 = w.eps * c.c_1;
+        c.c_7 = k_31 * (Number(1) / Number(96));
+        c.c_8 = k_31 * (Number(385) / Number(3456));
         c.c_9 = Number(1) / Number(48);
-        c.c_10 = w.k_31 * c.c_9;
+        c.c_10 = k_31 * c.c_9;
         c.c_11 = c.c_1 * (-Number(7) / Number(72) * w.eps - Number(3) / Number(8));
-        c.c_12 = w.k_31 * (Number(385) / Number(1728));
-        w.k_32 = Number(3) / Number(16) * w.eps;
-        c.c_13 = c.c_1 * (Number(1) / Number(24) - w.k_32);
+        c.c_12 = k_31 * (Number(385) / Number(1728));
+        const Number k_32 = Number(3) / Number(16) * w.eps;
+        c.c_13 = c.c_1 * (Number(1) / Number(24) - k_32);
         c.c_14 = Number(1) / Number(2) * c.c_1;
-        c.c_15 = w.k_31 * (Number(1) / Number(8));
-        w.k_33 = -c.c_3 * (Number(64199) / Number(604800)) * w.k_1 - c.c_3 * (Number(415339) / Number(435456)) * w.k_2;
-        w.k_34 = c.c_3 * w.k_1 * w.k_33 + Number(13261) / Number(13440) * c.c_2 * w.k_4 + Number(589697) / Number(1036800);
-        w.k_35 = Number(473) / Number(2880) - Number(210001) / Number(1088640) * c.c_2 * w.k_4;
-        w.k_36 = c.c_3 * (Number(239) / Number(768)) * w.k_1 + c.c_3 * (Number(30271) / Number(69120)) * w.k_2;
-        w.k_37 = c.c_1 * (c.c_3 * w.k_1 * w.k_34 + c.c_3 * w.k_2 * w.k_35) + c.c_3 * w.k_1 * w.k_36 - Number(419) / Number(1152) * c.c_2 * w.k_4 - Number(1681) / Number(4320);
-        w.k_38 = Number(517) / Number(4480) * c.c_2 * w.k_4 + Number(141593) / Number(172800);
-        w.k_39 = c.c_1 * w.k_38 + c.c_3 * (Number(38093) / Number(103680)) * w.k_2;
-        w.k_40 = c.c_3 * w.k_2 * (c.c_3 * w.k_2 * w.k_39 - Number(31) / Number(32));
-        w.k_41 = c.c_3 * w.k_1 * w.k_37 + w.k_40 - Number(23) / Number(32) * c.c_1;
-        w.k_42 = Number(1064659) / Number(3628800) * c.c_2 * w.k_4 - Number(5503) / Number(2880);
-        w.k_43 = c.c_3 * w.k_2 * (c.c_1 * w.k_42 - c.c_3 * (Number(353) / Number(768)) * w.k_2);
-        w.k_44 = c.c_3 * w.k_2 * (w.k_43 + Number(593) / Number(720)) + Number(2269) / Number(2160) * c.c_1;
-        w.k_45 = Number(9) / Number(32) + c.c_3 * w.k_1 * w.k_41 + c.c_3 * w.k_2 * w.k_44;
-        w.k_46 = Number(784837) / Number(1036800) - Number(39071) / Number(201600) * c.c_2 * w.k_4;
-        w.k_47 = c.c_1 * w.k_46 + c.c_3 * (Number(28397) / Number(207360)) * w.k_2;
-        w.k_48 = c.c_3 * w.k_2 * (c.c_3 * w.k_2 * w.k_47 + Number(9) / Number(16));
-        w.k_49 = c.c_3 * w.k_2 * (w.k_48 + Number(9) / Number(16) * c.c_1) - Number(217) / Number(288);
-        w.k_50 = c.c_3 * w.k_1 * w.k_45 + c.c_3 * w.k_2 * w.k_49 - Number(55) / Number(288) * c.c_1;
-        w.k_51 = -c.c_3 * (Number(5) / Number(16)) * w.k_1 - c.c_3 * (Number(413) / Number(2160)) * w.k_2;
+        c.c_15 = k_31 * (Number(1) / Number(8));
+        const Number k_33 = -c.c_3 * (Number(64199) / Number(604800)) * k_1 - c.c_3 * (Number(415339) / Number(435456)) * k_2;
+        const Number k_34 = c.c_3 * k_1 * k_33 + Number(13261) / Number(13440) * c.c_2 * k_4 + Number(589697) / Number(1036800);
+        const Number k_35 = Number(473) / Number(2880) - Number(210001) / Number(1088640) * c.c_2 * k_4;
+        const Number k_36 = c.c_3 * (Number(239) / Number(768)) * k_1 + c.c_3 * (Number(30271) / Number(69120)) * k_2;
+        const Number k_37 = c.c_1 * (c.c_3 * k_1 * k_34 + c.c_3 * k_2 * k_35) + c.c_3 * k_1 * k_36 - Number(419) / Number(1152) * c.c_2 * k_4 - Number(1681) / Number(4320);
+        const Number k_38 = Number(517) / Number(4480) * c.c_2 * k_4 + Number(141593) / Number(172800);
+        const Number k_39 = c.c_1 * k_38 + c.c_3 * (Number(38093) / Number(103680)) * k_2;
+        const Number k_40 = c.c_3 * k_2 * (c.c_3 * k_2 * k_39 - Number(31) / Number(32));
+        const Number k_41 = c.c_3 * k_1 * k_37 + k_40 - Number(23) / Number(32) * c.c_1;
+        const Number k_42 = Number(1064659) / Number(3628800) * c.c_2 * k_4 - Number(5503) / Number(2880);
+        const Number k_43 = c.c_3 * k_2 * (c.c_1 * k_42 - c.c_3 * (Number(353) / Number(768)) * k_2);
+        const Number k_44 = c.c_3 * k_2 * (k_43 + Number(593) / Number(720)) + Number(2269) / Number(2160) * c.c_1;
+        const Number k_45 = Number(9) / Number(32) + c.c_3 * k_1 * k_41 + c.c_3 * k_2 * k_44;
+        const Number k_46 = Number(784837) / Number(1036800) - Number(39071) / Number(201600) * c.c_2 * k_4;
+        const Number k_47 = c.c_1 * k_46 + c.c_3 * (Number(28397) / Number(207360)) * k_2;
+        const Number k_48 = c.c_3 * k_2 * (c.c_3 * k_2 * k_47 + Number(9) / Number(16));
+        const Number k_49 = c.c_3 * k_2 * (k_48 + Number(9) / Number(16) * c.c_1) - Number(217) / Number(288);
+        const Number k_50 = c.c_3 * k_1 * k_45 + c.c_3 * k_2 * k_49 - Number(55) / Number(288) * c.c_1;
+        const Number k_51 = -c.c_3 * (Number(5) / Number(16)) * k_1 - c.c_3 * (Number(413) / Number(2160)) * k_2;
         c.c_16 = Number(1) / Number(4);
-        w.k_52 = c.c_3 * w.k_1 * w.k_51 + Number(65) / Number(96) - c.c_16 * c.c_2 * w.k_4;
-        w.k_53 = Number(9) / Number(16) + Number(373) / Number(2160) * c.c_2 * w.k_4;
-        w.k_54 = c.c_3 * w.k_1 * (c.c_3 * w.k_1 * w.k_52 + c.c_3 * w.k_2 * w.k_53);
-        w.k_55 = Number(3) / Number(16) * c.c_2 * w.k_4 - Number(251) / Number(288);
-        w.k_56 = c.c_3 * (Number(5) / Number(32)) * w.k_1 + c.c_3 * (Number(115) / Number(288)) * w.k_2;
-        w.k_57 = c.c_3 * w.k_1 * w.k_56 + Number(9) / Number(32) * c.c_2 * w.k_4 - Number(11) / Number(12);
-        w.k_58 = c.c_1 * (c.c_1 * w.k_50 + w.k_54 + c.c_2 * w.k_4 * w.k_55) + c.c_3 * w.k_1 * w.k_57 - w.k_27 * (Number(89) / Number(288)) * (w.k_4 * w.k_2);
-        w.k_59 = c.c_1 * (Number(1) + c.c_1 * w.k_58 - c.c_6 * w.k_1 * c.c_2 * w.k_2);
-        c.v_x = c.c_3 * w.k_2 + w.k_59;
-        c.c_17 = c.c_1 * (w.k_32 - Number(1) / Number(24));
+        const Number k_52 = c.c_3 * k_1 * k_51 + Number(65) / Number(96) - c.c_16 * c.c_2 * k_4;
+        const Number k_53 = Number(9) / Number(16) + Number(373) / Number(2160) * c.c_2 * k_4;
+        const Number k_54 = c.c_3 * k_1 * (c.c_3 * k_1 * k_52 + c.c_3 * k_2 * k_53);
+        const Number k_55 = Number(3) / Number(16) * c.c_2 * k_4 - Number(251) / Number(288);
+        const Number k_56 = c.c_3 * (Number(5) / Number(32)) * k_1 + c.c_3 * (Number(115) / Number(288)) * k_2;
+        const Number k_57 = c.c_3 * k_1 * k_56 + Number(9) / Number(32) * c.c_2 * k_4 - Number(11) / Number(12);
+        const Number k_58 = c.c_1 * (c.c_1 * k_50 + k_54 + c.c_2 * k_4 * k_55) + c.c_3 * k_1 * k_57 - k_27 * (Number(89) / Number(288)) * (k_4 * k_2);
+        w.k_59 = c.c_1 * (Number(1) + c.c_1 * k_58 - c.c_6 * k_1 * c.c_2 * k_2);
+        c.v_x = c.c_3 * k_2 + w.k_59;
+        c.c_17 = c.c_1 * (k_32 - Number(1) / Number(24));
         c.c_18 = Number(0);
         c.c_19 = Number(137) / Number(96);
         c.c_20 = Number(43) / Number(96);
         c.c_21 = Number(7) / Number(24);
         c.c_22 = Number(41) / Number(24);
         c.c_23 = Number(11) / Number(48);
-        c.c_24 = w.k_31 * c.c_4;
+        c.c_24 = k_31 * c.c_4;
         c.c_25 = Number(1) / Number(3) * w.eps;
         c.c_26 = -Number(4) / Number(3) * w.eps;
-        c.c_27 = w.k_31 * (Number(15) / Number(64));
-        c.c_28 = w.k_31 * (Number(9) / Number(64));
-        c.c_29 = w.k_31 * (Number(45) / Number(64));
-        c.c_30 = w.k_31 * (Number(3) / Number(64));
+        c.c_27 = k_31 * (Number(15) / Number(64));
+        c.c_28 = k_31 * (Number(9) / Number(64));
+        c.c_29 = k_31 * (Number(45) / Number(64));
+        c.c_30 = k_31 * (Number(3) / Number(64));
         c.c_31 = w.eps + Number(2);
-        c.c_32 = w.k_31 * (Number(5) / Number(48));
-        c.c_33 = w.k_31 * (Number(1) / Number(12));
-        w.k_60 = Number(1) / Number(8) * w.eps;
-        c.c_34 = c.c_1 * (-Number(1) / Number(2) - w.k_60);
-        c.c_35 = c.c_1 * (Number(1) / Number(2) + w.k_60);
+        c.c_32 = k_31 * (Number(5) / Number(48));
+        c.c_33 = k_31 * (Number(1) / Number(12));
+        const Number k_60 = Number(1) / Number(8) * w.eps;
+        c.c_34 = c.c_1 * (-Number(1) / Number(2) - k_60);
+        c.c_35 = c.c_1 * (Number(1) / Number(2) + k_60);
         c.c_36 = Number(1) / Number(6) * w.eps;
         c.c_37 = c.c_6 * w.eps;
-        c.c_38 = w.k_31 * c.c_16;
-        c.c_39 = w.k_31 * (Number(3) / Number(4));
-        c.c_40 = w.k_31 * (Number(1) / Number(32));
-        w.k_61 = c.c_2 * w.k_4;
-        w.k_62 = c.c_2 * w.k_28;
+        c.c_38 = k_31 * c.c_16;
+        c.c_39 = k_31 * (Number(3) / Number(4));
+        c.c_40 = k_31 * (Number(1) / Number(32));
+        w.k_61 = c.c_2 * k_4;
+        w.k_62 = c.c_2 * k_28;
         w.k_63 = w.eps * w.eps * w.eps;
-        w.k_64 = Number(44777) / Number(272160) * c.u_x - Number(1229909) / Number(604800) * c.v_x;
+        const Number k_64 = Number(44777) / Number(272160) * c.u_x - Number(1229909) / Number(604800) * c.v_x;
         w.k_65 = c.v_x * c.v_x;
-        w.k_66 = c.u_x * w.k_64 - Number(145171) / Number(272160) * w.k_65 - Number(419) / Number(1440);
-        w.k_67 = Number(263623) / Number(60480) * w.k_65 + Number(19171) / Number(32400);
-        w.k_68 = Number(16027) / Number(103680) * c.u_x - Number(419) / Number(256) * c.v_x;
-        w.k_69 = c.c_1 * (c.u_x * w.k_66 + c.v_x * w.k_67) + c.u_x * w.k_68 - Number(101447) / Number(51840) * w.k_65 - Number(3) / Number(64);
-        w.k_70 = Number(972347) / Number(272160) * w.k_65 - Number(16) / Number(15);
-        w.k_71 = c.v_x * (c.c_1 * w.k_70 + Number(637) / Number(384) * c.v_x) + Number(77) / Number(144);
+        const Number k_66 = c.u_x * k_64 - Number(145171) / Number(272160) * w.k_65 - Number(419) / Number(1440);
+        const Number k_67 = Number(263623) / Number(60480) * w.k_65 + Number(19171) / Number(32400);
+        const Number k_68 = Number(16027) / Number(103680) * c.u_x - Number(419) / Number(256) * c.v_x;
+        const Number k_69 = c.c_1 * (c.u_x * k_66 + c.v_x * k_67) + c.u_x * k_68 - Number(101447) / Number(51840) * w.k_65 - Number(3) / Number(64);
+        const Number k_70 = Number(972347) / Number(272160) * w.k_65 - Number(16) / Number(15);
+        const Number k_71 = c.v_x * (c.c_1 * k_70 + Number(637) / Number(384) * c.v_x) + Number(77) / Number(144);
         w.k_72 = Number(1) / Number(216) * c.c_1;
-        w.k_73 = -Number(159239) / Number(201600) * w.k_65 - Number(7007) / Number(10800);
-        w.k_74 = c.v_x * (c.c_1 * w.k_73 + Number(163679) / Number(103680) * c.v_x);
-        w.k_75 = c.u_x * (c.u_x * w.k_69 + c.v_x * w.k_71 - w.k_72) + w.k_65 * (w.k_74 - Number(15) / Number(64));
+        const Number k_73 = -Number(159239) / Number(201600) * w.k_65 - Number(7007) / Number(10800);
+        const Number k_74 = c.v_x * (c.c_1 * k_73 + Number(163679) / Number(103680) * c.v_x);
+        w.k_75 = c.u_x * (c.u_x * k_69 + c.v_x * k_71 - w.k_72) + w.k_65 * (k_74 - Number(15) / Number(64));
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_76 = -Number(234581) / Number(1360800) * w.k_65 - Number(29) / Number(1440);
-        w.k_77 = c.v_x * (c.c_1 * w.k_76 - Number(29) / Number(768) * c.v_x) - Number(31) / Number(144);
-        w.k_78 = -Number(13) / Number(12) * c.u_x - Number(91) / Number(45) * c.v_x;
-        w.k_79 = c.v_x * (c.u_x * w.k_78 + c.c_16 * w.k_65 + Number(4) / Number(9));
-        w.k_80 = c.u_x * c.u_x;
-        w.k_81 = w.k_80 * c.u_x;
-        w.k_82 = c.c_1 * (c.u_x * w.k_75 + w.k_65 * (c.v_x * w.k_77 + w.k_72)) + c.u_x * (w.k_79 + Number(103) / Number(360) * w.k_81) + Number(419) / Number(1080) * (w.k_65 * w.k_65);
-        w.k_83 = c.c_16 + c.u_x * (-c.c_5 * c.u_x - c.c_19 * c.v_x) - c.c_4 * w.k_65;
-        w.k_84 = c.c_1 * (c.c_1 * w.k_82 + c.v_x * w.k_83 + c.c_20 * w.k_81) + c.c_6 * w.k_80 - c.c_6 * w.k_65;
-        w.k_85 = Number(3253) / Number(34020) * c.u_x - Number(348827) / Number(483840) * c.v_x;
-        w.k_86 = c.u_x * w.k_85 - Number(3623) / Number(11340) * w.k_65 - Number(239) / Number(1440);
-        w.k_87 = Number(58073) / Number(161280) * w.k_65 - Number(167) / Number(2700);
-        w.k_88 = Number(11467) / Number(103680) * c.u_x - Number(181) / Number(384) * c.v_x;
-        w.k_89 = c.c_4 + c.c_1 * (c.u_x * w.k_86 + c.v_x * w.k_87) + c.u_x * w.k_88 - Number(31471) / Number(51840) * w.k_65;
-        w.k_90 = Number(110699) / Number(340200) * w.k_65 - Number(271) / Number(1440);
-        w.k_91 = c.v_x * (c.c_1 * w.k_90 + Number(43) / Number(256) * c.v_x) - Number(43) / Number(576);
-        w.k_92 = c.u_x * w.k_89 + c.v_x * w.k_91 + Number(5) / Number(216) * c.c_1;
-        w.k_93 = Number(52921) / Number(2419200) * w.k_80 - Number(6739) / Number(129600);
-        w.k_94 = c.u_x * (c.c_1 * w.k_93 + Number(7) / Number(256) * c.u_x) - Number(7) / Number(576);
-        w.k_95 = Number(113) / Number(360) * c.v_x - Number(5) / Number(48) * c.u_x;
-        w.k_96 = c.u_x * w.k_95 + Number(1) / Number(18) - Number(1) / Number(2) * w.k_65;
-        w.k_97 = w.k_65 * c.v_x;
-        w.k_98 = c.c_1 * (c.v_x * w.k_92 + w.k_80 * w.k_94) + c.u_x * w.k_96 - Number(389) / Number(1080) * w.k_97;
-        w.k_99 = Number(737) / Number(43200) - Number(227753) / Number(2419200) * w.k_65;
-        w.k_100 = c.c_4 + c.v_x * (c.c_1 * w.k_99 + Number(2111) / Number(103680) * c.v_x);
-        w.k_101 = c.v_x * (c.c_1 * w.k_100 - Number(1) / Number(16) * c.v_x) - Number(1) / Number(18);
-        w.k_102 = c.u_x * (Number(47) / Number(96) * c.v_x - Number(5) / Number(32) * c.u_x);
-        w.k_103 = c.c_1 * (c.u_x * w.k_98 + w.k_65 * w.k_101) + c.u_x * (c.c_16 + w.k_102 - Number(9) / Number(32) * w.k_65) - Number(13) / Number(96) * w.k_97;
-        w.k_104 = c.c_1 * w.k_103 + c.c_6 * c.u_x * c.v_x - Number(1);
-        w.k_105 = w.k_30 + c.c_1 * w.k_84;
-        w.k_106 = w.k_59 + c.c_1 * w.k_104;
-        c.c_41 = w.k_61 + w.k_62 + w.k_63 * w.k_63 + w.eps * (w.k_84 * w.k_84) + w.eps * (w.k_104 * w.k_104) - Number(4) * (w.k_105 * w.k_105 + w.k_106 * w.k_106);
+        const Number k_76 = -Number(234581) / Number(1360800) * w.k_65 - Number(29) / Number(1440);
+        const Number k_77 = c.v_x * (c.c_1 * k_76 - Number(29) / Number(768) * c.v_x) - Number(31) / Number(144);
+        const Number k_78 = -Number(13) / Number(12) * c.u_x - Number(91) / Number(45) * c.v_x;
+        const Number k_79 = c.v_x * (c.u_x * k_78 + c.c_16 * w.k_65 + Number(4) / Number(9));
+        const Number k_80 = c.u_x * c.u_x;
+        const Number k_81 = k_80 * c.u_x;
+        const Number k_82 = c.c_1 * (c.u_x * w.k_75 + w.k_65 * (c.v_x * k_77 + w.k_72)) + c.u_x * (k_79 + Number(103) / Number(360) * k_81) + Number(419) / Number(1080) * (w.k_65 * w.k_65);
+        const Number k_83 = c.c_16 + c.u_x * (-c.c_5 * c.u_x - c.c_19 * c.v_x) - c.c_4 * w.k_65;
+        const Number k_84 = c.c_1 * (c.c_1 * k_82 + c.v_x * k_83 + c.c_20 * k_81) + c.c_6 * k_80 - c.c_6 * w.k_65;
+        const Number k_85 = Number(3253) / Number(34020) * c.u_x - Number(348827) / Number(483840) * c.v_x;
+        const Number k_86 = c.u_x * k_85 - Number(3623) / Number(11340) * w.k_65 - Number(239) / Number(1440);
+        const Number k_87 = Number(58073) / Number(161280) * w.k_65 - Number(167) / Number(2700);
+        const Number k_88 = Number(11467) / Number(103680) * c.u_x - Number(181) / Number(384) * c.v_x;
+        const Number k_89 = c.c_4 + c.c_1 * (c.u_x * k_86 + c.v_x * k_87) + c.u_x * k_88 - Number(31471) / Number(51840) * w.k_65;
+        const Number k_90 = Number(110699) / Number(340200) * w.k_65 - Number(271) / Number(1440);
+        const Number k_91 = c.v_x * (c.c_1 * k_90 + Number(43) / Number(256) * c.v_x) - Number(43) / Number(576);
+        const Number k_92 = c.u_x * k_89 + c.v_x * k_91 + Number(5) / Number(216) * c.c_1;
+        const Number k_93 = Number(52921) / Number(2419200) * k_80 - Number(6739) / Number(129600);
+        const Number k_94 = c.u_x * (c.c_1 * k_93 + Number(7) / Number(256) * c.u_x) - Number(7) / Number(576);
+        const Number k_95 = Number(113) / Number(360) * c.v_x - Number(5) / Number(48) * c.u_x;
+        const Number k_96 = c.u_x * k_95 + Number(1) / Number(18) - Number(1) / Number(2) * w.k_65;
+        const Number k_97 = w.k_65 * c.v_x;
+        const Number k_98 = c.c_1 * (c.v_x * k_92 + k_80 * k_94) + c.u_x * k_96 - Number(389) / Number(1080) * k_97;
+        const Number k_99 = Number(737) / Number(43200) - Number(227753) / Number(2419200) * w.k_65;
+        const Number k_100 = c.c_4 + c.v_x * (c.c_1 * k_99 + Number(2111) / Number(103680) * c.v_x);
+        const Number k_101 = c.v_x * (c.c_1 * k_100 - Number(1) / Number(16) * c.v_x) - Number(1) / Number(18);
+        const Number k_102 = c.u_x * (Number(47) / Number(96) * c.v_x - Number(5) / Number(32) * c.u_x);
+        const Number k_103 = c.c_1 * (c.u_x * k_98 + w.k_65 * k_101) + c.u_x * (c.c_16 + k_102 - Number(9) / Number(32) * w.k_65) - Number(13) / Number(96) * k_97;
+        const Number k_104 = c.c_1 * k_103 + c.c_6 * c.u_x * c.v_x - Number(1);
+        const Number k_105 = w.k_30 + c.c_1 * k_84;
+        const Number k_106 = w.k_59 + c.c_1 * k_104;
+        c.c_41 = w.k_61 + w.k_62 + w.k_63 * w.k_63 + w.eps * (k_84 * k_84) + w.eps * (k_104 * k_104) - Number(4) * (k_105 * k_105 + k_106 * k_106);
         c.c_42 = Number(4) + Number(4) * (w.k_61 + w.k_62) - w.eps;
         c.c_43 = hypot(Number(Number(5) / Number(16)), Number(Number(1) / Number(16)));
         c.c_44 = hypot(Number(-Number(1) / Number(48)), Number(-Number(3) / Number(16)));
@@ -586,6 +486,35 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_2;
+        Number c_18;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_2 = Number(1) / eps;
+        c.c_18 = Number(0);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_2 = all.c_2;
+            c.c_18 = all.c_18;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // The slow flow: du_x/dT, dv_x/dT
     template <class Number> static std::array<Number, 2> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
@@ -616,8 +545,8 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_2;
     }
 
@@ -791,12 +720,14 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 2>{c.c_41, c.c_42}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_18};
             }
@@ -860,7 +791,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

@@ -148,30 +148,30 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number eps{};
-        Number c_2{};
-        Number s_0{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number u_u{};
-        Number u_y{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
+        Number c_1;
+        Number eps;
+        Number c_2;
+        Number s_0;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number u_u;
+        Number u_y;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
     };
 
     template <class Number> static void compute_constants(
@@ -287,16 +287,51 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_2;
+        Number s_0;
+        Number c_9;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.c_1 = Number(0);
+        const Number eps = Number(given_eps);
+        c.c_2 = Number(1) / eps;
+        c.s_0 = Number(start.s_0);
+        c.c_9 = -Number(2) * c.c_2;
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_1 = all.c_1;
+            c.c_2 = all.c_2;
+            c.s_0 = all.s_0;
+            c.c_9 = all.c_9;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // dchi_1/dT
-    template <class Number> static Number chi_1_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number chi_1_rate(const Some& c, const Number& T) {
         const Number s = c.s_0 - T;
         const Number chi_1_dot = -s - Number(1);
         return c.c_2 * chi_1_dot;
     }
 
     // dchi_2/dT
-    template <class Number> static Number chi_2_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number chi_2_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_9;
     }
 
@@ -395,12 +430,14 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 8>{c.c_14, c.c_15, c.c_16, c.c_17, c.c_5, c.c_18, c.c_19, c.c_20}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_1, known.c_1};
             }
@@ -456,7 +493,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Decay<Real> chi_1_;
     resonform::Decay<Real> chi_2_;

@@ -148,11 +148,11 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number c_2{};
-        Number x_0{};
-        Number c_3{};
-        Number u_y{};
+        Number c_1;
+        Number c_2;
+        Number x_0;
+        Number c_3;
+        Number u_y;
     };
 
     template <class Number> static void compute_constants(
@@ -166,6 +166,19 @@ private:
         c.u_y = Number(Evaluator::difference_1(resonform::WideNumber<Number>(c.x_0), resonform::WideNumber<Number>(y_0)));
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_2;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        c.c_1 = Number(0);
+        const Number eps = Number(given_eps);
+        c.c_2 = -(Number(1) / eps);
+    }
+
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
     template <class Number, class Constant> static std::array<Number, 1> layers(
@@ -174,8 +187,8 @@ private:
     }
 
     // dchi/dT
-    template <class Number> static Number chi_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number chi_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_2;
     }
 
@@ -313,12 +326,14 @@ private:
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 1>{c.c_3}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    compute_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_1};
             }
@@ -373,7 +388,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Decay<Real> chi_;
     Real eps_{};

@@ -167,155 +167,120 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number s_0{};
-        Number c_1{};
-        Number eps{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
-        Number c_29{};
-        Number c_30{};
-        Number c_31{};
-        Number c_32{};
-        Number c_33{};
-        Number c_34{};
-        Number c_35{};
-        Number c_36{};
-        Number c_37{};
-        Number c_38{};
-        Number c_39{};
-        Number c_40{};
-        Number c_41{};
-        Number c_42{};
-        Number c_43{};
-        Number c_44{};
-        Number c_45{};
-        Number c_46{};
-        Number c_47{};
-        Number c_48{};
-        Number c_49{};
-        Number c_50{};
-        Number c_51{};
-        Number c_52{};
-        Number c_53{};
-        Number c_54{};
-        Number c_55{};
-        Number c_56{};
-        Number c_57{};
-        Number u_x{};
-        Number v_x{};
-        Number c_58{};
-        Number c_59{};
-        Number c_60{};
-        Number c_61{};
-        Number c_62{};
-        Number c_63{};
+        Number s_0;
+        Number c_1;
+        Number eps;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
+        Number c_29;
+        Number c_30;
+        Number c_31;
+        Number c_32;
+        Number c_33;
+        Number c_34;
+        Number c_35;
+        Number c_36;
+        Number c_37;
+        Number c_38;
+        Number c_39;
+        Number c_40;
+        Number c_41;
+        Number c_42;
+        Number c_43;
+        Number c_44;
+        Number c_45;
+        Number c_46;
+        Number c_47;
+        Number c_48;
+        Number c_49;
+        Number c_50;
+        Number c_51;
+        Number c_52;
+        Number c_53;
+        Number c_54;
+        Number c_55;
+        Number c_56;
+        Number c_57;
+        Number u_x;
+        Number v_x;
+        Number c_58;
+        Number c_59;
+        Number c_60;
+        Number c_61;
+        Number c_62;
+        Number c_63;
     };
 
     template <class Number> struct compute_constants_quantities {
-        Number k_1{};
-        Number k_2{};
-        Number k_3{};
-        Number x_0{};
-        Number k_4{};
-        Number k_5{};
-        Number k_6{};
-        Number k_7{};
-        Number k_8{};
-        Number k_9{};
-        Number k_10{};
-        Number k_11{};
-        Number k_12{};
-        Number k_13{};
-        Number k_14{};
-        Number k_15{};
-        Number k_16{};
-        Number k_17{};
-        Number k_18{};
-        Number k_19{};
-        Number k_20{};
-        Number k_21{};
-        Number k_22{};
-        Number k_23{};
-        Number k_24{};
-        Number k_25{};
-        Number k_26{};
-        Number k_27{};
-        Number k_28{};
-        Number k_29{};
-        Number k_30{};
-        Number k_31{};
-        Number k_32{};
-        Number k_33{};
-        Number y_0{};
-        Number k_34{};
-        Number k_35{};
-        Number k_36{};
-        Number k_37{};
-        Number k_38{};
-        Number k_39{};
-        Number k_40{};
-        Number k_41{};
-        Number k_42{};
-        Number k_43{};
-        Number k_44{};
-        Number k_45{};
-        Number k_46{};
-        Number k_47{};
-        Number k_48{};
-        Number k_49{};
-        Number k_50{};
-        Number k_51{};
-        Number k_52{};
-        Number k_53{};
-        Number k_54{};
-        Number k_55{};
-        Number w_0{};
-        Number k_56{};
-        Number k_57{};
-        Number k_58{};
-        Number k_59{};
-        Number k_60{};
-        Number k_61{};
-        Number k_62{};
-        Number k_63{};
-        Number k_64{};
-        Number k_65{};
-        Number k_66{};
-        Number k_67{};
-        Number k_68{};
-        Number k_69{};
-        Number k_70{};
-        Number k_71{};
-        Number k_72{};
-        Number k_73{};
-        Number k_74{};
-        Number k_75{};
-        Number k_76{};
+        Number k_2;
+        Number k_3;
+        Number x_0;
+        Number k_4;
+        Number k_5;
+        Number k_7;
+        Number k_8;
+        Number k_10;
+        Number k_11;
+        Number k_13;
+        Number k_14;
+        Number k_15;
+        Number k_16;
+        Number k_18;
+        Number k_20;
+        Number k_21;
+        Number k_22;
+        Number k_23;
+        Number k_24;
+        Number k_25;
+        Number k_27;
+        Number k_28;
+        Number k_29;
+        Number k_31;
+        Number k_33;
+        Number y_0;
+        Number k_34;
+        Number k_36;
+        Number k_37;
+        Number k_38;
+        Number k_40;
+        Number k_41;
+        Number k_42;
+        Number k_43;
+        Number k_45;
+        Number k_47;
+        Number k_48;
+        Number k_49;
+        Number k_50;
+        Number k_51;
+        Number k_52;
+        Number k_54;
+        Number k_55;
+        Number w_0;
     };
 
     template <class Number> static void compute_constants_1(
@@ -344,7 +309,7 @@ private:
         c.c_20 = Number(1000) * c.c_3 * (Number(1) / (Number(1) + Number(1000) * c.c_3));
         c.c_21 = -c.c_19;
         c.c_22 = -c.eps;
-        w.k_1 = sqrt(c.c_2);
+        const Number k_1 = sqrt(c.c_2);
         w.k_2 = c.c_17 * c.c_17;
         c.c_23 = Number(2) * c.eps;
         c.c_24 = Number(2) * c.c_2;
@@ -379,64 +344,64 @@ private:
         c.c_52 = Number(47100) * w.k_3;
         c.c_53 = Number(7230) * w.k_3;
         c.c_54 = Number(1) / Number(2) * c.c_17;
-        c.c_55 = w.k_1 * sqrt(w.k_1) * (w.k_2 * c.c_17) * Number(2510);
+        c.c_55 = k_1 * sqrt(k_1) * (w.k_2 * c.c_17) * Number(2510);
         w.x_0 = Number(start.x_0);
         c.c_56 = c.s_0 * c.c_1 + Number(5);
         w.k_4 = Number(1) / c.c_56;
         w.k_5 = w.k_4 * w.k_4;
-        w.k_6 = w.k_5 * w.k_4;
-        w.k_7 = w.k_6 * w.k_6 * w.k_4;
+        const Number k_6 = w.k_5 * w.k_4;
+        w.k_7 = k_6 * k_6 * w.k_4;
         w.k_8 = Number(3) * c.s_0;
-        w.k_9 = c.s_0 * (c.s_0 * (w.k_8 - Number(27)) + Number(42)) + Number(1050);
+        const Number k_9 = c.s_0 * (c.s_0 * (w.k_8 - Number(27)) + Number(42)) + Number(1050);
         c.c_57 = c.c_56 * c.c_56;
         w.k_10 = Number(9240) * c.eps;
         w.k_11 = Number(23) * c.c_57;
-        w.k_12 = c.s_0 * (c.eps * w.k_9 + c.c_57 * (Number(7) - c.s_0)) - w.k_10 - w.k_11;
+        const Number k_12 = c.s_0 * (c.eps * k_9 + c.c_57 * (Number(7) - c.s_0)) - w.k_10 - w.k_11;
         w.k_13 = Number(13692) * c.eps;
         w.k_14 = Number(75) * c.c_57;
         w.k_15 = Number(33222) * c.eps;
         w.k_16 = Number(745) * c.c_57;
-        w.k_17 = c.eps * (c.s_0 * (c.s_0 * w.k_12 + w.k_13 - w.k_14) + w.k_15 + w.k_16);
+        const Number k_17 = c.eps * (c.s_0 * (c.s_0 * k_12 + w.k_13 - w.k_14) + w.k_15 + w.k_16);
         w.k_18 = c.c_57 * c.c_57;
-        w.k_19 = c.s_0 * (w.k_17 + w.k_18 * (c.s_0 * (c.s_0 - Number(5)) + Number(20)));
+        const Number k_19 = c.s_0 * (k_17 + w.k_18 * (c.s_0 * (c.s_0 - Number(5)) + Number(20)));
         w.k_20 = Number(65082) * c.eps;
         w.k_21 = Number(679) * c.c_57;
         w.k_22 = Number(16) * w.k_18;
         w.k_23 = Number(5925) * c.eps;
         w.k_24 = Number(785) * c.c_57;
         w.k_25 = Number(21) * w.k_18;
-        w.k_26 = c.s_0 * (w.k_19 + c.eps * (-w.k_20 - w.k_21) - w.k_22) + c.eps * (w.k_23 - w.k_24) - w.k_25;
+        const Number k_26 = c.s_0 * (k_19 + c.eps * (-w.k_20 - w.k_21) - w.k_22) + c.eps * (w.k_23 - w.k_24) - w.k_25;
         w.k_27 = Number(12735) * c.eps;
         w.k_28 = Number(427) * c.c_57;
         w.k_29 = Number(11) * w.k_18;
-        w.k_30 = c.c_57 * c.c_56;
-        w.k_31 = w.k_30 * w.k_30;
-        w.k_32 = c.eps * (c.s_0 * w.k_26 + c.eps * (w.k_27 + w.k_28) - w.k_29) + w.k_31 * (c.s_0 * (Number(1) + c.s_0 * c.c_19) - Number(1));
-        w.k_33 = w.k_7 * w.k_32;
+        const Number k_30 = c.c_57 * c.c_56;
+        w.k_31 = k_30 * k_30;
+        const Number k_32 = c.eps * (c.s_0 * k_26 + c.eps * (w.k_27 + w.k_28) - w.k_29) + w.k_31 * (c.s_0 * (Number(1) + c.s_0 * c.c_19) - Number(1));
+        w.k_33 = w.k_7 * k_32;
         c.u_x = w.x_0 * c.c_17 + w.k_33;
         w.y_0 = Number(start.y_0);
         w.k_34 = Number(30) * c.s_0;
-        w.k_35 = c.s_0 * (c.s_0 * (Number(300) - w.k_34) - Number(1680)) + Number(420);
+        const Number k_35 = c.s_0 * (c.s_0 * (Number(300) - w.k_34) - Number(1680)) + Number(420);
         w.k_36 = Number(6) * c.s_0;
         w.k_37 = Number(24444) * c.eps;
         w.k_38 = Number(250) * c.c_57;
-        w.k_39 = c.s_0 * (c.eps * w.k_35 + c.c_57 * (w.k_36 - Number(48))) + w.k_37 + w.k_38;
+        const Number k_39 = c.s_0 * (c.eps * k_35 + c.c_57 * (w.k_36 - Number(48))) + w.k_37 + w.k_38;
         w.k_40 = Number(43596) * c.eps;
         w.k_41 = Number(160) * c.c_57;
         w.k_42 = Number(17424) * c.eps;
         w.k_43 = Number(1078) * c.c_57;
-        w.k_44 = c.eps * (c.s_0 * (c.s_0 * w.k_39 - w.k_40 - w.k_41) - w.k_42 - w.k_43);
+        const Number k_44 = c.eps * (c.s_0 * (c.s_0 * k_39 - w.k_40 - w.k_41) - w.k_42 - w.k_43);
         w.k_45 = Number(2) * c.s_0;
-        w.k_46 = c.s_0 * (w.k_44 + w.k_18 * (c.s_0 * (Number(12) - w.k_45) - Number(52)));
+        const Number k_46 = c.s_0 * (k_44 + w.k_18 * (c.s_0 * (Number(12) - w.k_45) - Number(52)));
         w.k_47 = Number(47100) * c.eps;
         w.k_48 = Number(880) * c.c_57;
         w.k_49 = Number(28) * w.k_18;
         w.k_50 = Number(7230) * c.eps;
         w.k_51 = Number(214) * c.c_57;
         w.k_52 = Number(2) * w.k_18;
-        w.k_53 = c.s_0 * (w.k_46 + c.eps * (w.k_47 + w.k_48) + w.k_49) + c.eps * (w.k_51 - w.k_50) - w.k_52;
+        const Number k_53 = c.s_0 * (k_46 + c.eps * (w.k_47 + w.k_48) + w.k_49) + c.eps * (w.k_51 - w.k_50) - w.k_52;
         w.k_54 = Number(2) * (c.s_0 * c.s_0);
-        w.k_55 = w.k_7 * (c.eps * w.k_53 + w.k_31 * (-Number(2) - w.k_54));
+        w.k_55 = w.k_7 * (c.eps * k_53 + w.k_31 * (-Number(2) - w.k_54));
         c.v_x = w.y_0 * c.c_17 + w.k_55;
         c.c_58 = c.s_0 - Number(7);
         w.w_0 = Number(start.w_0);
@@ -444,31 +409,31 @@ private:
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_56 = c.s_0 * (c.u_x * (w.k_8 - Number(15)) + Number(30) * c.v_x) - Number(90) * c.u_x - Number(120) * c.v_x;
-        w.k_57 = c.eps * (c.s_0 * w.k_56 + Number(330) * c.u_x - Number(60) * c.v_x);
+        const Number k_56 = c.s_0 * (c.u_x * (w.k_8 - Number(15)) + Number(30) * c.v_x) - Number(90) * c.u_x - Number(120) * c.v_x;
+        const Number k_57 = c.eps * (c.s_0 * k_56 + Number(330) * c.u_x - Number(60) * c.v_x);
         c.c_59 = c.s_0 - Number(3);
-        w.k_58 = c.s_0 * (w.k_57 + c.c_57 * (c.u_x * c.c_59 + Number(6) * c.v_x)) + c.eps * (Number(360) * c.v_x - Number(105) * c.u_x) + c.c_57 * (-Number(9) * c.u_x - Number(12) * c.v_x);
-        w.k_59 = Number(2) * c.v_x;
-        w.k_60 = c.s_0 * w.k_58 + c.eps * (-Number(123) * c.u_x - Number(114) * c.v_x) + c.c_57 * (Number(11) * c.u_x - w.k_59);
-        w.k_61 = c.c_2 * (w.k_5 * w.k_5 * w.k_4) * (c.eps * w.k_60 + w.k_18 * (c.c_19 * c.u_x + w.k_59));
-        c.c_60 = w.w_0 - w.k_61;
-        w.k_62 = Number(1) - c.s_0;
-        c.c_61 = w.k_62 * w.k_62 + Number(4) - c.eps;
-        w.k_63 = w.k_7 * w.k_7;
-        w.k_64 = c.s_0 * (c.s_0 * (Number(27) - w.k_8) - Number(42)) - Number(1050);
-        w.k_65 = c.s_0 * (c.s_0 * (c.eps * w.k_64 + c.c_57 * c.c_58) + w.k_10 + w.k_11);
-        w.k_66 = c.eps * (c.s_0 * (w.k_65 + w.k_14 - w.k_13) - w.k_15 - w.k_16) + w.k_18 * (c.s_0 * (Number(5) - c.s_0) - Number(20));
-        w.k_67 = c.s_0 * (c.s_0 * w.k_66 + c.eps * (w.k_20 + w.k_21) + w.k_22) + c.eps * (w.k_24 - w.k_23) + w.k_25;
-        w.k_68 = c.eps * (c.s_0 * w.k_67 + c.eps * (-w.k_27 - w.k_28) + w.k_29) + w.k_31 * (Number(1) + c.s_0 * (c.s_0 * w.k_62 - Number(1)));
-        w.k_69 = c.s_0 * (c.s_0 * (w.k_34 - Number(300)) + Number(1680)) - Number(420);
-        w.k_70 = c.s_0 * (c.eps * w.k_69 + c.c_57 * (Number(48) - w.k_36)) - w.k_37 - w.k_38;
-        w.k_71 = c.eps * (c.s_0 * (c.s_0 * w.k_70 + w.k_40 + w.k_41) + w.k_42 + w.k_43);
-        w.k_72 = c.s_0 * (w.k_71 + w.k_18 * (c.s_0 * (w.k_45 - Number(12)) + Number(52)));
-        w.k_73 = c.s_0 * (w.k_72 + c.eps * (-w.k_47 - w.k_48) - w.k_49) + c.eps * (w.k_50 - w.k_51) + w.k_52;
-        w.k_74 = c.eps * w.k_73 + w.k_31 * (Number(2) + w.k_54);
-        w.k_75 = w.k_33 + w.k_7 * w.k_68;
-        w.k_76 = w.k_55 + w.k_7 * w.k_74;
-        c.c_62 = w.k_3 * w.k_3 + w.k_2 * (w.x_0 * w.x_0) + w.k_2 * (w.y_0 * w.y_0) + w.k_63 * (w.k_68 * w.k_68) + w.k_63 * (w.k_74 * w.k_74) - Number(4) * (w.k_75 * w.k_75 + w.k_76 * w.k_76);
+        const Number k_58 = c.s_0 * (k_57 + c.c_57 * (c.u_x * c.c_59 + Number(6) * c.v_x)) + c.eps * (Number(360) * c.v_x - Number(105) * c.u_x) + c.c_57 * (-Number(9) * c.u_x - Number(12) * c.v_x);
+        const Number k_59 = Number(2) * c.v_x;
+        const Number k_60 = c.s_0 * k_58 + c.eps * (-Number(123) * c.u_x - Number(114) * c.v_x) + c.c_57 * (Number(11) * c.u_x - k_59);
+        const Number k_61 = c.c_2 * (w.k_5 * w.k_5 * w.k_4) * (c.eps * k_60 + w.k_18 * (c.c_19 * c.u_x + k_59));
+        c.c_60 = w.w_0 - k_61;
+        const Number k_62 = Number(1) - c.s_0;
+        c.c_61 = k_62 * k_62 + Number(4) - c.eps;
+        const Number k_63 = w.k_7 * w.k_7;
+        const Number k_64 = c.s_0 * (c.s_0 * (Number(27) - w.k_8) - Number(42)) - Number(1050);
+        const Number k_65 = c.s_0 * (c.s_0 * (c.eps * k_64 + c.c_57 * c.c_58) + w.k_10 + w.k_11);
+        const Number k_66 = c.eps * (c.s_0 * (k_65 + w.k_14 - w.k_13) - w.k_15 - w.k_16) + w.k_18 * (c.s_0 * (Number(5) - c.s_0) - Number(20));
+        const Number k_67 = c.s_0 * (c.s_0 * k_66 + c.eps * (w.k_20 + w.k_21) + w.k_22) + c.eps * (w.k_24 - w.k_23) + w.k_25;
+        const Number k_68 = c.eps * (c.s_0 * k_67 + c.eps * (-w.k_27 - w.k_28) + w.k_29) + w.k_31 * (Number(1) + c.s_0 * (c.s_0 * k_62 - Number(1)));
+        const Number k_69 = c.s_0 * (c.s_0 * (w.k_34 - Number(300)) + Number(1680)) - Number(420);
+        const Number k_70 = c.s_0 * (c.eps * k_69 + c.c_57 * (Number(48) - w.k_36)) - w.k_37 - w.k_38;
+        const Number k_71 = c.eps * (c.s_0 * (c.s_0 * k_70 + w.k_40 + w.k_41) + w.k_42 + w.k_43);
+        const Number k_72 = c.s_0 * (k_71 + w.k_18 * (c.s_0 * (w.k_45 - Number(12)) + Number(52)));
+        const Number k_73 = c.s_0 * (k_72 + c.eps * (-w.k_47 - w.k_48) - w.k_49) + c.eps * (w.k_50 - w.k_51) + w.k_52;
+        const Number k_74 = c.eps * k_73 + w.k_31 * (Number(2) + w.k_54);
+        const Number k_75 = w.k_33 + w.k_7 * k_68;
+        const Number k_76 = w.k_55 + w.k_7 * k_74;
+        c.c_62 = w.k_3 * w.k_3 + w.k_2 * (w.x_0 * w.x_0) + w.k_2 * (w.y_0 * w.y_0) + k_63 * (k_68 * k_68) + k_63 * (k_74 * k_74) - Number(4) * (k_75 * k_75 + k_76 * k_76);
         c.c_63 = Number(4) - c.eps;
     }
 
@@ -573,6 +538,42 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const Number s_0 = Number(start.s_0);
+        const Number eps = Number(given_eps);
+        c.c_16 = Number(0);
+        c.c_17 = Number(1) / eps;
+        c.c_18 = Number(2) * c.c_17;
+        c.c_19 = s_0 - Number(1);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_16 = all.c_16;
+            c.c_17 = all.c_17;
+            c.c_18 = all.c_18;
+            c.c_19 = all.c_19;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
     // map are half of the amplitudes, or a slow variable came to rest long ago.
     template <class Number, class Constant> static std::array<Number, 1> layers(
@@ -596,13 +597,13 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_18;
     }
 
     // dchi/dT
-    template <class Number> static Number chi_rate(const Constants<Number>& c, const Number& T) {
+    template <class Number, class Some> static Number chi_rate(const Some& c, const Number& T) {
         const Number chi_dot = T + c.c_19;
         return c.c_17 * chi_dot;
     }
@@ -756,12 +757,14 @@ private:
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return std::array<Real, 3>{c.c_61, c.c_57, c.c_62}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_16, known.c_16};
             }
@@ -828,7 +831,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::PrimitiveTable<Real, 1> tables_0_;
     resonform::Phase<Real> theta_;

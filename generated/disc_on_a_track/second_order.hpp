@@ -186,41 +186,41 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number c_1{};
-        Number c_2{};
-        Number theta_0{};
-        Number c_3{};
-        Number u_x{};
-        Number c_4{};
-        Number c_5{};
-        Number v_x{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number constant_R{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
-        Number c_29{};
-        Number c_30{};
+        Number eps;
+        Number c_1;
+        Number c_2;
+        Number theta_0;
+        Number c_3;
+        Number u_x;
+        Number c_4;
+        Number c_5;
+        Number v_x;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number constant_R;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
+        Number c_29;
+        Number c_30;
     };
 
     template <class Number> static void compute_constants(
@@ -354,6 +354,35 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_9;
+        Number c_10;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_9 = Number(0);
+        c.c_10 = Number(2) / Number(3) * sqrt(Number(Number(3) / Number(2))) * (Number(1) / eps);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_9 = all.c_9;
+            c.c_10 = all.c_10;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // The slow flow: du_x/dT, dv_x/dT
     template <class Number> static std::array<Number, 2> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
@@ -381,8 +410,8 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_10;
     }
 
@@ -559,12 +588,14 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, resonform::first<2>(row)); }
         auto conditions() const { return std::array<Real, 1>{c.c_27}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_9};
             }
@@ -632,7 +663,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::PrimitiveTable<Real, 1> tables_1_;

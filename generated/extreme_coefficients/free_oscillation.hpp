@@ -152,22 +152,22 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number eps{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
+        Number c_1;
+        Number eps;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
     };
 
     template <class Number> static void compute_constants(
@@ -289,9 +289,55 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_3;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.c_1 = Number(0);
+        const Number k_1 = sqrt(Number(5));
+        const Number eps = Number(given_eps);
+        const Number k_2 = log(Number(2));
+        const Number k_3 = eps * k_2 * (Number(5) / Number(2) - Number(1) / Number(8) * eps * k_2);
+        const Number k_4 = expm1(Number(1));
+        const Number k_5 = eps * eps;
+        const Number amplitude_x = Number(start.amplitude_x);
+        const Number k_6 = amplitude_x * amplitude_x;
+        const Number phase_x = Number(start.phase_x);
+        const Number k_7 = cos(phase_x);
+        const Number k_8 = k_7 * k_7;
+        const Number k_9 = sin(phase_x);
+        const Number k_10 = k_9 * k_9;
+        const Number k_11 = Number(3) / Number(8) * k_6 * k_8 + Number(3) / Number(8) * k_6 * k_10;
+        const Number k_12 = Number(1) / exp(Number(1));
+        const Number k_13 = -Number(5) / Number(48) * k_6 * k_8 - Number(5) / Number(48) * k_6 * k_10;
+        const Number k_14 = Number(1) / Number(25) * k_1 * k_5 * (k_12 * k_12) * k_13 * (k_4 * k_4 * k_4);
+        const Number theta_dot = Number(1) / Number(25) * k_1 * (Number(25) + k_3) + k_4 * (Number(1) / Number(5) * k_1 * k_5 * k_11 + k_14);
+        c.c_3 = theta_dot * (Number(1) / eps);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_1 = all.c_1;
+            c.c_3 = all.c_3;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_3;
     }
 
@@ -414,12 +460,14 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 2>{c.c_14, c.c_15}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_1};
             }
@@ -471,7 +519,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

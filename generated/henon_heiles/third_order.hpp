@@ -184,252 +184,166 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number u_x{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number v_x{};
-        Number c_7{};
-        Number u_y{};
-        Number v_y{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
-        Number c_29{};
-        Number c_30{};
-        Number c_31{};
+        Number eps;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number u_x;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number v_x;
+        Number c_7;
+        Number u_y;
+        Number v_y;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
+        Number c_29;
+        Number c_30;
+        Number c_31;
     };
 
     template <class Number> struct compute_constants_quantities {
-        Number x_0{};
-        Number y_0{};
-        Number k_1{};
-        Number k_2{};
-        Number px_0{};
-        Number k_3{};
-        Number k_4{};
-        Number py_0{};
-        Number k_5{};
-        Number k_6{};
-        Number k_7{};
-        Number k_8{};
-        Number k_9{};
-        Number k_10{};
-        Number k_11{};
-        Number k_12{};
-        Number k_13{};
-        Number k_14{};
-        Number k_15{};
-        Number k_16{};
-        Number k_17{};
-        Number k_18{};
-        Number k_19{};
-        Number k_20{};
-        Number k_21{};
-        Number k_22{};
-        Number k_23{};
-        Number k_24{};
-        Number k_25{};
-        Number k_26{};
-        Number k_27{};
-        Number k_28{};
-        Number k_29{};
-        Number k_30{};
-        Number k_31{};
-        Number k_32{};
-        Number k_33{};
-        Number k_34{};
-        Number k_35{};
-        Number k_36{};
-        Number k_37{};
-        Number k_38{};
-        Number k_39{};
-        Number k_40{};
-        Number k_41{};
-        Number k_42{};
-        Number k_43{};
-        Number k_44{};
-        Number k_45{};
-        Number k_46{};
-        Number k_47{};
-        Number k_48{};
-        Number k_49{};
-        Number k_50{};
-        Number k_51{};
-        Number k_52{};
-        Number k_53{};
-        Number k_54{};
-        Number k_55{};
-        Number k_56{};
-        Number k_57{};
-        Number k_58{};
-        Number k_59{};
-        Number k_60{};
-        Number k_61{};
-        Number k_62{};
-        Number k_63{};
-        Number k_64{};
-        Number k_65{};
-        Number k_66{};
-        Number k_67{};
-        Number k_68{};
-        Number k_69{};
-        Number k_70{};
-        Number k_71{};
-        Number k_72{};
-        Number k_73{};
-        Number k_74{};
-        Number k_75{};
-        Number k_76{};
-        Number k_77{};
-        Number k_78{};
-        Number k_79{};
-        Number k_80{};
-        Number k_81{};
-        Number k_82{};
     };
 
     template <class Number> static void compute_constants_1(
-            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.x_0 = Number(start.x_0);
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c, [[maybe_unused]] compute_constants_quantities<Number>& w) {
+        const Number x_0 = Number(start.x_0);
         c.eps = Number(given_eps);
         c.c_1 = Number(1) / c.eps;
-        w.y_0 = Number(start.y_0);
-        w.k_1 = c.c_1 * c.c_1;
-        w.k_2 = w.x_0 * w.x_0;
-        w.px_0 = Number(start.px_0);
-        w.k_3 = w.px_0 * w.px_0;
-        w.k_4 = w.y_0 * w.y_0;
-        w.py_0 = Number(start.py_0);
-        w.k_5 = w.py_0 * w.py_0;
-        w.k_6 = Number(227) / Number(270) * w.k_1 * w.k_2 + Number(103) / Number(40) * w.k_1 * w.k_3 + Number(23) / Number(120) * w.k_1 * w.k_5 - Number(208) / Number(135) * w.k_1 * w.k_4;
-        w.k_7 = w.k_1 * c.c_1;
-        w.k_8 = w.y_0 * c.c_1 * w.k_6 + Number(277) / Number(360) * w.x_0 * w.px_0 * w.py_0 * w.k_7;
-        w.k_9 = Number(7) / Number(144) * w.k_1 * w.k_2;
-        w.k_10 = Number(7) / Number(144) * w.k_1 * w.k_4;
-        w.k_11 = c.eps * w.k_8 + w.k_9 + w.k_10 - Number(77) / Number(144) * w.k_1 * w.k_3 - Number(37) / Number(48) * w.k_1 * w.k_5;
-        w.k_12 = Number(181) / Number(135) * w.k_1 * w.k_3 + Number(32) / Number(135) * w.k_1 * w.k_5 - Number(581) / Number(360) * w.k_1 * w.k_4;
-        w.k_13 = w.px_0 * w.py_0 * w.k_1 * (c.eps * w.k_12 + Number(17) / Number(72) * w.y_0 * c.c_1);
+        const Number y_0 = Number(start.y_0);
+        const Number k_1 = c.c_1 * c.c_1;
+        const Number k_2 = x_0 * x_0;
+        const Number px_0 = Number(start.px_0);
+        const Number k_3 = px_0 * px_0;
+        const Number k_4 = y_0 * y_0;
+        const Number py_0 = Number(start.py_0);
+        const Number k_5 = py_0 * py_0;
+        const Number k_6 = Number(227) / Number(270) * k_1 * k_2 + Number(103) / Number(40) * k_1 * k_3 + Number(23) / Number(120) * k_1 * k_5 - Number(208) / Number(135) * k_1 * k_4;
+        const Number k_7 = k_1 * c.c_1;
+        const Number k_8 = y_0 * c.c_1 * k_6 + Number(277) / Number(360) * x_0 * px_0 * py_0 * k_7;
+        const Number k_9 = Number(7) / Number(144) * k_1 * k_2;
+        const Number k_10 = Number(7) / Number(144) * k_1 * k_4;
+        const Number k_11 = c.eps * k_8 + k_9 + k_10 - Number(77) / Number(144) * k_1 * k_3 - Number(37) / Number(48) * k_1 * k_5;
+        const Number k_12 = Number(181) / Number(135) * k_1 * k_3 + Number(32) / Number(135) * k_1 * k_5 - Number(581) / Number(360) * k_1 * k_4;
+        const Number k_13 = px_0 * py_0 * k_1 * (c.eps * k_12 + Number(17) / Number(72) * y_0 * c.c_1);
         c.c_2 = Number(2) / Number(3);
         c.c_3 = Number(4) / Number(3);
-        w.k_14 = c.eps * (w.x_0 * c.c_1 * w.k_11 + w.k_13) + c.c_2 * w.x_0 * w.y_0 * w.k_1 + c.c_3 * w.px_0 * w.py_0 * w.k_1;
-        w.k_15 = c.eps * w.k_14;
-        c.u_x = w.x_0 * c.c_1 + w.k_15;
+        const Number k_14 = c.eps * (x_0 * c.c_1 * k_11 + k_13) + c.c_2 * x_0 * y_0 * k_1 + c.c_3 * px_0 * py_0 * k_1;
+        const Number k_15 = c.eps * k_14;
+        c.u_x = x_0 * c.c_1 + k_15;
         c.c_4 = Number(5) / Number(12) * c.eps;
         c.c_5 = Number(3) / Number(4) * c.eps;
         c.c_6 = Number(7) / Number(6) * c.eps;
-        w.k_16 = Number(707) / Number(540) * w.k_1 * w.k_4 - Number(449) / Number(180) * w.k_1 * w.k_2 - Number(647) / Number(1080) * w.k_1 * w.k_3 - Number(329) / Number(360) * w.k_1 * w.k_5;
-        w.k_17 = w.y_0 * c.c_1 * w.k_16 + Number(71) / Number(120) * w.x_0 * w.px_0 * w.py_0 * w.k_7;
-        w.k_18 = Number(17) / Number(144) * w.k_1 * w.k_3;
-        w.k_19 = Number(17) / Number(144) * w.k_1 * w.k_5;
-        w.k_20 = c.eps * w.k_17 + Number(43) / Number(144) * w.k_1 * w.k_2 + Number(19) / Number(48) * w.k_1 * w.k_4 - w.k_18 - w.k_19;
-        w.k_21 = Number(931) / Number(540) * w.k_1 * w.k_2 - Number(673) / Number(180) * w.k_1 * w.k_4 - Number(1189) / Number(1080) * w.k_1 * w.k_5;
-        w.k_22 = Number(7) / Number(72) * w.y_0 * c.c_1;
-        w.k_23 = -w.px_0 * c.c_1 * w.k_20 - w.x_0 * w.py_0 * w.k_1 * (c.eps * w.k_21 - w.k_22);
-        w.k_24 = c.eps * w.k_23 + c.c_2 * w.x_0 * w.py_0 * w.k_1 + c.c_2 * w.y_0 * w.px_0 * w.k_1;
-        w.k_25 = c.eps * w.k_24;
-        c.v_x = w.k_25 - w.px_0 * c.c_1;
-        w.k_26 = Number(643) / Number(360) * w.k_1 * w.k_4 + Number(1079) / Number(720) * w.k_1 * w.k_5 - Number(1021) / Number(2160) * w.k_1 * w.k_2 - Number(83) / Number(720) * w.k_1 * w.k_3;
-        w.k_27 = w.x_0 * c.c_1 * w.k_26 + Number(143) / Number(60) * w.y_0 * w.px_0 * w.py_0 * w.k_7;
-        w.k_28 = Number(277) / Number(1080) * w.k_1 * w.k_3 + Number(149) / Number(180) * w.k_1 * w.k_5 - Number(221) / Number(720) * w.k_1 * w.k_4;
-        w.k_29 = -Number(53) / Number(432) * w.k_1 * w.k_4 - Number(155) / Number(144) * w.k_1 * w.k_5;
-        w.k_30 = w.x_0 * c.c_1 * w.k_27 + w.k_1 * w.k_3 * w.k_28 + w.k_1 * w.k_4 * w.k_29 - Number(115) / Number(216) * (w.k_1 * w.k_1) * (w.k_5 * w.k_5);
-        w.k_31 = w.k_9 + w.k_10 - Number(37) / Number(48) * w.k_1 * w.k_3 - Number(77) / Number(144) * w.k_1 * w.k_5;
-        w.k_32 = c.eps * w.k_30 + w.y_0 * c.c_1 * w.k_31 + Number(17) / Number(72) * w.x_0 * w.px_0 * w.py_0 * w.k_7;
+        const Number k_16 = Number(707) / Number(540) * k_1 * k_4 - Number(449) / Number(180) * k_1 * k_2 - Number(647) / Number(1080) * k_1 * k_3 - Number(329) / Number(360) * k_1 * k_5;
+        const Number k_17 = y_0 * c.c_1 * k_16 + Number(71) / Number(120) * x_0 * px_0 * py_0 * k_7;
+        const Number k_18 = Number(17) / Number(144) * k_1 * k_3;
+        const Number k_19 = Number(17) / Number(144) * k_1 * k_5;
+        const Number k_20 = c.eps * k_17 + Number(43) / Number(144) * k_1 * k_2 + Number(19) / Number(48) * k_1 * k_4 - k_18 - k_19;
+        const Number k_21 = Number(931) / Number(540) * k_1 * k_2 - Number(673) / Number(180) * k_1 * k_4 - Number(1189) / Number(1080) * k_1 * k_5;
+        const Number k_22 = Number(7) / Number(72) * y_0 * c.c_1;
+        const Number k_23 = -px_0 * c.c_1 * k_20 - x_0 * py_0 * k_1 * (c.eps * k_21 - k_22);
+        const Number k_24 = c.eps * k_23 + c.c_2 * x_0 * py_0 * k_1 + c.c_2 * y_0 * px_0 * k_1;
+        const Number k_25 = c.eps * k_24;
+        c.v_x = k_25 - px_0 * c.c_1;
+        const Number k_26 = Number(643) / Number(360) * k_1 * k_4 + Number(1079) / Number(720) * k_1 * k_5 - Number(1021) / Number(2160) * k_1 * k_2 - Number(83) / Number(720) * k_1 * k_3;
+        const Number k_27 = x_0 * c.c_1 * k_26 + Number(143) / Number(60) * y_0 * px_0 * py_0 * k_7;
+        const Number k_28 = Number(277) / Number(1080) * k_1 * k_3 + Number(149) / Number(180) * k_1 * k_5 - Number(221) / Number(720) * k_1 * k_4;
+        const Number k_29 = -Number(53) / Number(432) * k_1 * k_4 - Number(155) / Number(144) * k_1 * k_5;
+        const Number k_30 = x_0 * c.c_1 * k_27 + k_1 * k_3 * k_28 + k_1 * k_4 * k_29 - Number(115) / Number(216) * (k_1 * k_1) * (k_5 * k_5);
+        const Number k_31 = k_9 + k_10 - Number(37) / Number(48) * k_1 * k_3 - Number(77) / Number(144) * k_1 * k_5;
+        const Number k_32 = c.eps * k_30 + y_0 * c.c_1 * k_31 + Number(17) / Number(72) * x_0 * px_0 * py_0 * k_7;
         c.c_7 = Number(1) / Number(3);
-        w.k_33 = c.eps * w.k_32 + c.c_7 * w.k_1 * w.k_2 + c.c_2 * w.k_1 * w.k_3 - c.c_7 * w.k_1 * w.k_4 - c.c_2 * w.k_1 * w.k_5;
-        w.k_34 = c.eps * w.k_33;
-        c.u_y = w.y_0 * c.c_1 + w.k_34;
-        w.k_35 = Number(701) / Number(360) * w.k_1 * w.k_3 + Number(16) / Number(27) * w.k_1 * w.k_4 + Number(55) / Number(216) * w.k_1 * w.k_5 - Number(289) / Number(90) * w.k_1 * w.k_2;
-        w.k_36 = w.y_0 * c.c_1 * w.k_35 - Number(53) / Number(120) * w.x_0 * w.px_0 * w.py_0 * w.k_7;
-        w.k_37 = c.eps * w.k_36 + Number(19) / Number(48) * w.k_1 * w.k_2 + Number(43) / Number(144) * w.k_1 * w.k_4 - w.k_18 - w.k_19;
-        w.k_38 = Number(401) / Number(90) * w.k_1 * w.k_4 - Number(136) / Number(135) * w.k_1 * w.k_2 - Number(817) / Number(1080) * w.k_1 * w.k_3;
-        w.k_39 = -w.py_0 * c.c_1 * w.k_37 - w.x_0 * w.px_0 * w.k_1 * (c.eps * w.k_38 - w.k_22);
-        w.k_40 = c.eps * w.k_39 + c.c_2 * w.x_0 * w.px_0 * w.k_1 - c.c_2 * w.y_0 * w.py_0 * w.k_1;
-        w.k_41 = c.eps * w.k_40;
-        c.v_y = w.k_41 - w.py_0 * c.c_1;
+        const Number k_33 = c.eps * k_32 + c.c_7 * k_1 * k_2 + c.c_2 * k_1 * k_3 - c.c_7 * k_1 * k_4 - c.c_2 * k_1 * k_5;
+        const Number k_34 = c.eps * k_33;
+        c.u_y = y_0 * c.c_1 + k_34;
+        const Number k_35 = Number(701) / Number(360) * k_1 * k_3 + Number(16) / Number(27) * k_1 * k_4 + Number(55) / Number(216) * k_1 * k_5 - Number(289) / Number(90) * k_1 * k_2;
+        const Number k_36 = y_0 * c.c_1 * k_35 - Number(53) / Number(120) * x_0 * px_0 * py_0 * k_7;
+        const Number k_37 = c.eps * k_36 + Number(19) / Number(48) * k_1 * k_2 + Number(43) / Number(144) * k_1 * k_4 - k_18 - k_19;
+        const Number k_38 = Number(401) / Number(90) * k_1 * k_4 - Number(136) / Number(135) * k_1 * k_2 - Number(817) / Number(1080) * k_1 * k_3;
+        const Number k_39 = -py_0 * c.c_1 * k_37 - x_0 * px_0 * k_1 * (c.eps * k_38 - k_22);
+        const Number k_40 = c.eps * k_39 + c.c_2 * x_0 * px_0 * k_1 - c.c_2 * y_0 * py_0 * k_1;
+        const Number k_41 = c.eps * k_40;
+        c.v_y = k_41 - py_0 * c.c_1;
         c.c_8 = Number(0);
         c.c_9 = Number(25) / Number(144);
         c.c_10 = Number(13) / Number(144);
         c.c_11 = Number(9) / Number(16);
         c.c_12 = Number(47) / Number(72);
         c.c_13 = c.eps * c.eps;
-        w.k_42 = c.c_13 * c.eps;
-        c.c_14 = Number(11) / Number(144) * w.k_42;
-        c.c_15 = Number(13) / Number(48) * w.k_42;
+        const Number k_42 = c.c_13 * c.eps;
+        c.c_14 = Number(11) / Number(144) * k_42;
+        c.c_15 = Number(13) / Number(48) * k_42;
         c.c_16 = Number(1) / Number(2) * c.eps;
-        c.c_17 = Number(25) / Number(72) * w.k_42;
+        c.c_17 = Number(25) / Number(72) * k_42;
         c.c_18 = Number(1) / Number(6) * c.c_13;
-        c.c_19 = Number(1) / Number(96) * w.k_42;
-        c.c_20 = Number(1) / Number(32) * w.k_42;
-        c.c_21 = Number(1) / Number(48) * w.k_42;
+        c.c_19 = Number(1) / Number(96) * k_42;
+        c.c_20 = Number(1) / Number(32) * k_42;
+        c.c_21 = Number(1) / Number(48) * k_42;
         c.c_22 = Number(1) / Number(2) * c.c_13;
         c.c_23 = Number(1) / Number(12) * c.c_13;
-        w.k_43 = c.c_13 * c.c_13;
-        w.k_44 = w.k_43 * w.k_43;
-        w.k_45 = c.u_x * c.u_x;
-        w.k_46 = c.v_x * c.v_x;
-        w.k_47 = c.u_y * c.u_y;
-        w.k_48 = c.v_y * c.v_y;
-        w.k_49 = Number(787) / Number(540) * w.k_47 - Number(589) / Number(540) * w.k_45 - Number(109) / Number(45) * w.k_46 - Number(13) / Number(45) * w.k_48;
-        w.k_50 = c.u_y * w.k_49 - Number(61) / Number(180) * c.u_x * c.v_x * c.v_y;
-        w.k_51 = c.c_9 * w.k_45;
-        w.k_52 = c.c_9 * w.k_47;
-        w.k_53 = c.eps * w.k_50 + w.k_51 + c.c_10 * w.k_46 + w.k_52 - c.c_11 * w.k_48;
-        w.k_54 = Number(323) / Number(180) * w.k_47 + Number(11) / Number(270) * w.k_48 - Number(437) / Number(270) * w.k_46;
-        w.k_55 = c.u_x * w.k_53 + c.v_x * c.v_y * (c.eps * w.k_54 + c.c_12 * c.u_y);
-        w.k_56 = c.eps * w.k_55 - c.c_2 * c.u_x * c.u_y - c.c_3 * c.v_x * c.v_y;
-        w.k_57 = Number(217) / Number(90) * w.k_45 + Number(64) / Number(135) * w.k_46 + Number(121) / Number(90) * w.k_48 - Number(188) / Number(135) * w.k_47;
-        w.k_58 = c.eps * (c.u_y * w.k_57 - Number(7) / Number(90) * c.u_x * c.v_x * c.v_y);
+        const Number k_43 = c.c_13 * c.c_13;
+        const Number k_44 = k_43 * k_43;
+        const Number k_45 = c.u_x * c.u_x;
+        const Number k_46 = c.v_x * c.v_x;
+        const Number k_47 = c.u_y * c.u_y;
+        const Number k_48 = c.v_y * c.v_y;
+        const Number k_49 = Number(787) / Number(540) * k_47 - Number(589) / Number(540) * k_45 - Number(109) / Number(45) * k_46 - Number(13) / Number(45) * k_48;
+        const Number k_50 = c.u_y * k_49 - Number(61) / Number(180) * c.u_x * c.v_x * c.v_y;
+        const Number k_51 = c.c_9 * k_45;
+        const Number k_52 = c.c_9 * k_47;
+        const Number k_53 = c.eps * k_50 + k_51 + c.c_10 * k_46 + k_52 - c.c_11 * k_48;
+        const Number k_54 = Number(323) / Number(180) * k_47 + Number(11) / Number(270) * k_48 - Number(437) / Number(270) * k_46;
+        const Number k_55 = c.u_x * k_53 + c.v_x * c.v_y * (c.eps * k_54 + c.c_12 * c.u_y);
+        const Number k_56 = c.eps * k_55 - c.c_2 * c.u_x * c.u_y - c.c_3 * c.v_x * c.v_y;
+        const Number k_57 = Number(217) / Number(90) * k_45 + Number(64) / Number(135) * k_46 + Number(121) / Number(90) * k_48 - Number(188) / Number(135) * k_47;
+        const Number k_58 = c.eps * (c.u_y * k_57 - Number(7) / Number(90) * c.u_x * c.v_x * c.v_y);
         c.c_24 = Number(47) / Number(144);
-        w.k_59 = c.c_24 * w.k_46;
-        w.k_60 = c.c_24 * w.k_48;
-        w.k_61 = w.k_58 + Number(13) / Number(48) * w.k_47 - Number(11) / Number(144) * w.k_45 - w.k_59 - w.k_60;
-        w.k_62 = Number(329) / Number(90) * w.k_47 + Number(128) / Number(135) * w.k_48 - Number(244) / Number(135) * w.k_45;
-        w.k_63 = Number(25) / Number(72) * c.u_y;
-        w.k_64 = c.eps * (c.v_x * w.k_61 + c.u_x * c.v_y * (c.eps * w.k_62 - w.k_63));
-        w.k_65 = w.k_64 + c.c_2 * c.u_x * c.v_y + c.c_2 * c.v_x * c.u_y;
-        w.k_66 = w.k_15 + c.eps * w.k_56;
-        w.k_67 = w.k_25 + c.eps * w.k_65;
-        c.c_25 = w.k_1 * w.k_2 + w.k_1 * w.k_3 + w.k_44 + c.c_13 * (w.k_56 * w.k_56) + c.c_13 * (w.k_65 * w.k_65) - Number(4) * (w.k_66 * w.k_66 + w.k_67 * w.k_67);
-        w.k_68 = Number(443) / Number(1080) * w.k_45 + Number(79) / Number(360) * w.k_46 - Number(86) / Number(45) * w.k_47 - Number(63) / Number(40) * w.k_48;
-        w.k_69 = c.u_x * (c.u_x * w.k_68 - Number(32) / Number(15) * c.v_x * c.u_y * c.v_y);
-        w.k_70 = Number(61) / Number(120) * w.k_47 - Number(101) / Number(540) * w.k_46 - Number(56) / Number(45) * w.k_48;
-        w.k_71 = Number(49) / Number(216) * w.k_47 + Number(61) / Number(72) * w.k_48;
-        w.k_72 = w.k_69 + w.k_46 * w.k_70 + w.k_47 * w.k_71 + Number(65) / Number(108) * (w.k_48 * w.k_48);
-        w.k_73 = c.eps * w.k_72 + c.u_y * (w.k_51 + w.k_52 + c.c_10 * w.k_48 - c.c_11 * w.k_46) + c.c_12 * c.u_x * c.v_x * c.v_y;
-        w.k_74 = c.eps * w.k_73 + c.c_7 * w.k_47 + c.c_2 * w.k_48 - c.c_7 * w.k_45 - c.c_2 * w.k_46;
-        w.k_75 = Number(593) / Number(180) * w.k_45 - Number(263) / Number(180) * w.k_46 - Number(55) / Number(108) * w.k_47 - Number(47) / Number(108) * w.k_48;
-        w.k_76 = c.eps * (c.u_y * w.k_75 + Number(7) / Number(180) * c.u_x * c.v_x * c.v_y);
-        w.k_77 = w.k_76 + Number(13) / Number(48) * w.k_45 - w.k_59 - w.k_60 - Number(11) / Number(144) * w.k_47;
-        w.k_78 = Number(499) / Number(540) * w.k_45 + Number(491) / Number(540) * w.k_46 - Number(817) / Number(180) * w.k_47;
-        w.k_79 = c.eps * (c.v_y * w.k_77 + c.u_x * c.v_x * (c.eps * w.k_78 - w.k_63));
-        w.k_80 = w.k_79 + c.c_2 * c.u_x * c.v_x - c.c_2 * c.u_y * c.v_y;
-        w.k_81 = w.k_34 + c.eps * w.k_74;
-        w.k_82 = w.k_41 + c.eps * w.k_80;
-        c.c_26 = w.k_1 * w.k_4 + w.k_1 * w.k_5 + w.k_44 + c.c_13 * (w.k_74 * w.k_74) + c.c_13 * (w.k_80 * w.k_80) - Number(4) * (w.k_81 * w.k_81 + w.k_82 * w.k_82);
+        const Number k_59 = c.c_24 * k_46;
+        const Number k_60 = c.c_24 * k_48;
+        const Number k_61 = k_58 + Number(13) / Number(48) * k_47 - Number(11) / Number(144) * k_45 - k_59 - k_60;
+        const Number k_62 = Number(329) / Number(90) * k_47 + Number(128) / Number(135) * k_48 - Number(244) / Number(135) * k_45;
+        const Number k_63 = Number(25) / Number(72) * c.u_y;
+        const Number k_64 = c.eps * (c.v_x * k_61 + c.u_x * c.v_y * (c.eps * k_62 - k_63));
+        const Number k_65 = k_64 + c.c_2 * c.u_x * c.v_y + c.c_2 * c.v_x * c.u_y;
+        const Number k_66 = k_15 + c.eps * k_56;
+        const Number k_67 = k_25 + c.eps * k_65;
+        c.c_25 = k_1 * k_2 + k_1 * k_3 + k_44 + c.c_13 * (k_56 * k_56) + c.c_13 * (k_65 * k_65) - Number(4) * (k_66 * k_66 + k_67 * k_67);
+        const Number k_68 = Number(443) / Number(1080) * k_45 + Number(79) / Number(360) * k_46 - Number(86) / Number(45) * k_47 - Number(63) / Number(40) * k_48;
+        const Number k_69 = c.u_x * (c.u_x * k_68 - Number(32) / Number(15) * c.v_x * c.u_y * c.v_y);
+        const Number k_70 = Number(61) / Number(120) * k_47 - Number(101) / Number(540) * k_46 - Number(56) / Number(45) * k_48;
+        const Number k_71 = Number(49) / Number(216) * k_47 + Number(61) / Number(72) * k_48;
+        const Number k_72 = k_69 + k_46 * k_70 + k_47 * k_71 + Number(65) / Number(108) * (k_48 * k_48);
+        const Number k_73 = c.eps * k_72 + c.u_y * (k_51 + k_52 + c.c_10 * k_48 - c.c_11 * k_46) + c.c_12 * c.u_x * c.v_x * c.v_y;
+        const Number k_74 = c.eps * k_73 + c.c_7 * k_47 + c.c_2 * k_48 - c.c_7 * k_45 - c.c_2 * k_46;
+        const Number k_75 = Number(593) / Number(180) * k_45 - Number(263) / Number(180) * k_46 - Number(55) / Number(108) * k_47 - Number(47) / Number(108) * k_48;
+        const Number k_76 = c.eps * (c.u_y * k_75 + Number(7) / Number(180) * c.u_x * c.v_x * c.v_y);
+        const Number k_77 = k_76 + Number(13) / Number(48) * k_45 - k_59 - k_60 - Number(11) / Number(144) * k_47;
+        const Number k_78 = Number(499) / Number(540) * k_45 + Number(491) / Number(540) * k_46 - Number(817) / Number(180) * k_47;
+        const Number k_79 = c.eps * (c.v_y * k_77 + c.u_x * c.v_x * (c.eps * k_78 - k_63));
+        const Number k_80 = k_79 + c.c_2 * c.u_x * c.v_x - c.c_2 * c.u_y * c.v_y;
+        const Number k_81 = k_34 + c.eps * k_74;
+        const Number k_82 = k_41 + c.eps * k_80;
+        c.c_26 = k_1 * k_4 + k_1 * k_5 + k_44 + c.c_13 * (k_74 * k_74) + c.c_13 * (k_80 * k_80) - Number(4) * (k_81 * k_81 + k_82 * k_82);
         c.c_27 = resonform::math::number<Number>({7.888609052210118e-31});
         c.c_28 = Number(29) / Number(48);
         c.c_29 = Number(5) / Number(3);
@@ -511,6 +425,35 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_8;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_1 = Number(1) / eps;
+        c.c_8 = Number(0);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_1 = all.c_1;
+            c.c_8 = all.c_8;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // The slow flow: du_x/dT, dv_x/dT, du_y/dT, dv_y/dT
     template <class Number> static std::array<Number, 4> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 4>& flow) {
@@ -548,8 +491,8 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_1;
     }
 
@@ -738,12 +681,14 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 2>{c.c_25, c.c_26}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_8};
             }
@@ -807,7 +752,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 4>> tables_0_;
     resonform::Phase<Real> theta_;

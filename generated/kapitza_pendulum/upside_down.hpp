@@ -159,176 +159,93 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number v_phi{};
-        Number u_phi{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
+        Number eps;
+        Number v_phi;
+        Number u_phi;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
     };
 
     template <class Number> struct compute_constants_quantities {
-        Number theta_0{};
-        Number k_1{};
-        Number phi_0{};
-        Number k_2{};
-        Number k_3{};
-        Number k_4{};
-        Number k_5{};
-        Number p_0{};
-        Number k_6{};
-        Number k_7{};
-        Number k_8{};
-        Number k_9{};
-        Number k_10{};
-        Number k_11{};
-        Number k_12{};
-        Number k_13{};
-        Number k_14{};
-        Number k_15{};
-        Number k_16{};
-        Number k_17{};
-        Number k_18{};
-        Number k_19{};
-        Number k_20{};
-        Number k_21{};
-        Number k_22{};
-        Number k_23{};
-        Number k_24{};
-        Number k_25{};
-        Number k_26{};
-        Number k_27{};
-        Number k_28{};
-        Number k_29{};
-        Number k_30{};
-        Number k_31{};
-        Number k_32{};
-        Number k_33{};
-        Number k_34{};
-        Number k_35{};
-        Number k_36{};
-        Number k_37{};
-        Number k_38{};
-        Number k_39{};
-        Number k_40{};
-        Number k_41{};
-        Number k_42{};
-        Number k_43{};
-        Number k_44{};
-        Number k_45{};
-        Number k_46{};
-        Number k_47{};
-        Number k_48{};
-        Number k_49{};
-        Number k_50{};
-        Number k_51{};
-        Number k_52{};
-        Number k_53{};
-        Number k_54{};
-        Number k_55{};
-        Number k_56{};
-        Number k_57{};
-        Number k_58{};
-        Number k_59{};
-        Number k_60{};
-        Number k_61{};
-        Number k_62{};
-        Number k_63{};
-        Number k_64{};
-        Number k_65{};
-        Number k_66{};
-        Number k_67{};
-        Number k_68{};
-        Number k_69{};
-        Number k_70{};
-        Number k_71{};
-        Number k_72{};
-        Number k_73{};
-        Number k_74{};
-        Number k_75{};
-        Number k_76{};
-        Number k_77{};
-        Number k_78{};
-        Number k_79{};
-        Number k_80{};
-        Number k_81{};
-        Number k_82{};
-        Number k_83{};
-        Number k_84{};
-        Number k_85{};
-        Number k_86{};
-        Number k_87{};
-        Number k_88{};
-        Number k_89{};
-        Number k_90{};
-        Number k_91{};
-        Number k_92{};
-        Number k_93{};
-        Number k_94{};
-        Number k_95{};
-        Number k_96{};
-        Number k_97{};
-        Number k_98{};
-        Number k_99{};
+        Number k_6;
+        Number k_14;
+        Number k_31;
+        Number k_33;
+        Number k_35;
+        Number k_37;
+        Number k_47;
+        Number k_77;
+        Number k_78;
+        Number k_80;
+        Number k_83;
+        Number k_84;
+        Number k_86;
+        Number k_87;
+        Number k_89;
+        Number k_90;
+        Number k_91;
+        Number k_93;
+        Number k_94;
     };
 
     template <class Number> static void compute_constants_1(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.theta_0 = Number(start.theta_0);
+        const Number theta_0 = Number(start.theta_0);
         c.eps = Number(given_eps);
-        w.k_1 = sin(w.theta_0);
-        w.phi_0 = Number(start.phi_0);
-        c.v_phi = sin(w.phi_0);
-        w.k_2 = cos(w.theta_0);
-        c.u_phi = cos(w.phi_0);
-        w.k_3 = c.u_phi * c.u_phi;
-        w.k_4 = c.v_phi * c.v_phi;
-        w.k_5 = w.k_2 * (w.k_3 + Number(25) - Number(1) / Number(3) * w.k_4) + Number(8);
-        w.p_0 = Number(start.p_0);
-        w.k_6 = w.p_0 * w.p_0;
-        w.k_7 = w.k_2 * w.k_5 + Number(6) * w.k_6 + Number(11) / Number(6) * w.k_3 - Number(11) / Number(18) * w.k_4 - Number(11) / Number(2);
-        w.k_8 = c.v_phi * (c.eps * w.k_7 + Number(3) / Number(2) * c.v_phi * w.k_2);
-        w.k_9 = w.k_1 * (w.k_8 + w.k_2 * (Number(2) - Number(3) / Number(2) * w.k_3));
-        w.k_10 = w.k_2 * w.k_2;
-        w.k_11 = c.eps * c.v_phi * (Number(4) * w.k_10 - Number(7)) + Number(4) * w.k_2;
-        w.k_12 = c.eps * (w.k_9 + w.p_0 * c.u_phi * w.k_11) + Number(2) * c.v_phi * w.k_1;
-        w.k_13 = c.eps * w.k_12;
-        c.c_1 = w.theta_0 + w.k_13;
+        const Number k_1 = sin(theta_0);
+        const Number phi_0 = Number(start.phi_0);
+        c.v_phi = sin(phi_0);
+        const Number k_2 = cos(theta_0);
+        c.u_phi = cos(phi_0);
+        const Number k_3 = c.u_phi * c.u_phi;
+        const Number k_4 = c.v_phi * c.v_phi;
+        const Number k_5 = k_2 * (k_3 + Number(25) - Number(1) / Number(3) * k_4) + Number(8);
+        const Number p_0 = Number(start.p_0);
+        w.k_6 = p_0 * p_0;
+        const Number k_7 = k_2 * k_5 + Number(6) * w.k_6 + Number(11) / Number(6) * k_3 - Number(11) / Number(18) * k_4 - Number(11) / Number(2);
+        const Number k_8 = c.v_phi * (c.eps * k_7 + Number(3) / Number(2) * c.v_phi * k_2);
+        const Number k_9 = k_1 * (k_8 + k_2 * (Number(2) - Number(3) / Number(2) * k_3));
+        const Number k_10 = k_2 * k_2;
+        const Number k_11 = c.eps * c.v_phi * (Number(4) * k_10 - Number(7)) + Number(4) * k_2;
+        const Number k_12 = c.eps * (k_9 + p_0 * c.u_phi * k_11) + Number(2) * c.v_phi * k_1;
+        const Number k_13 = c.eps * k_12;
+        c.c_1 = theta_0 + k_13;
         w.k_14 = c.eps * c.eps;
         c.c_2 = Number(4) * w.k_14;
-        w.k_15 = w.k_2 * (w.k_2 * (w.k_3 + Number(40) - w.k_4) + Number(23) / Number(2));
-        w.k_16 = w.k_15 + Number(7) / Number(6) * w.k_4 - Number(7) / Number(6) * w.k_3 - Number(86) / Number(3);
-        w.k_17 = w.k_1 * w.k_16 + w.p_0 * c.u_phi * (Number(19) / Number(6) - Number(3) * w.k_10);
-        w.k_18 = Number(2) * w.k_6;
-        w.k_19 = w.k_2 * (w.k_2 * (w.k_4 - Number(51)) - Number(16)) + Number(69) / Number(2) - w.k_18 - Number(19) / Number(18) * w.k_4;
-        w.k_20 = w.k_2 * (c.u_phi * w.k_17 + w.p_0 * w.k_19) + Number(8) * w.p_0 - Number(13) / Number(2) * c.u_phi * w.k_1;
-        w.k_21 = c.v_phi * (w.p_0 * (Number(3) / Number(2) - w.k_10) - c.u_phi * w.k_1);
-        w.k_22 = Number(1) / Number(3) * w.k_3;
-        w.k_23 = w.k_2 * (Number(4) + Number(8) * w.k_2) + w.k_18 + w.k_22 - Number(3);
-        w.k_24 = w.k_1 * w.k_23 + w.p_0 * c.u_phi * (w.k_10 - Number(3) / Number(2));
-        w.k_25 = Number(2) * w.p_0;
-        w.k_26 = c.eps * (c.v_phi * (c.eps * w.k_20 + w.k_21) + c.u_phi * w.k_24 + w.k_25);
-        w.k_27 = w.k_26 + c.v_phi * w.k_2 * (Number(2) * c.u_phi * w.k_1 - w.k_25);
-        w.k_28 = c.eps * w.k_27;
-        c.c_3 = w.p_0 + w.k_28;
+        const Number k_15 = k_2 * (k_2 * (k_3 + Number(40) - k_4) + Number(23) / Number(2));
+        const Number k_16 = k_15 + Number(7) / Number(6) * k_4 - Number(7) / Number(6) * k_3 - Number(86) / Number(3);
+        const Number k_17 = k_1 * k_16 + p_0 * c.u_phi * (Number(19) / Number(6) - Number(3) * k_10);
+        const Number k_18 = Number(2) * w.k_6;
+        const Number k_19 = k_2 * (k_2 * (k_4 - Number(51)) - Number(16)) + Number(69) / Number(2) - k_18 - Number(19) / Number(18) * k_4;
+        const Number k_20 = k_2 * (c.u_phi * k_17 + p_0 * k_19) + Number(8) * p_0 - Number(13) / Number(2) * c.u_phi * k_1;
+        const Number k_21 = c.v_phi * (p_0 * (Number(3) / Number(2) - k_10) - c.u_phi * k_1);
+        const Number k_22 = Number(1) / Number(3) * k_3;
+        const Number k_23 = k_2 * (Number(4) + Number(8) * k_2) + k_18 + k_22 - Number(3);
+        const Number k_24 = k_1 * k_23 + p_0 * c.u_phi * (k_10 - Number(3) / Number(2));
+        const Number k_25 = Number(2) * p_0;
+        const Number k_26 = c.eps * (c.v_phi * (c.eps * k_20 + k_21) + c.u_phi * k_24 + k_25);
+        const Number k_27 = k_26 + c.v_phi * k_2 * (Number(2) * c.u_phi * k_1 - k_25);
+        const Number k_28 = c.eps * k_27;
+        c.c_3 = p_0 + k_28;
         c.c_4 = Number(9) * w.k_14;
         c.c_5 = Number(5) * w.k_14;
         c.c_6 = Number(2) * w.k_14;
@@ -342,86 +259,86 @@ private:
         c.c_14 = Number(2) * c.eps * c.v_phi;
         c.c_15 = Number(2) * c.eps * c.u_phi;
         c.c_16 = -Number(2) * c.eps * c.u_phi * c.v_phi;
-        w.k_29 = Number(1) / Number(2) * w.k_3;
-        c.c_17 = -Number(2) * c.eps * (w.k_29 - Number(1) / Number(2) * w.k_4);
-        w.k_30 = w.k_14 * c.eps;
-        w.k_31 = w.k_30 * w.k_30;
-        w.k_32 = sin(c.c_1);
+        const Number k_29 = Number(1) / Number(2) * k_3;
+        c.c_17 = -Number(2) * c.eps * (k_29 - Number(1) / Number(2) * k_4);
+        const Number k_30 = w.k_14 * c.eps;
+        w.k_31 = k_30 * k_30;
+        const Number k_32 = sin(c.c_1);
         w.k_33 = cos(c.c_1);
-        w.k_34 = w.k_33 * (w.k_29 - Number(1) / Number(6) * w.k_4 - Number(31) / Number(2));
+        const Number k_34 = w.k_33 * (k_29 - Number(1) / Number(6) * k_4 - Number(31) / Number(2));
         w.k_35 = c.c_3 * c.c_3;
-        w.k_36 = w.k_33 * (w.k_34 - Number(8)) + Number(1) / Number(9) * w.k_4 + Number(3) - Number(6) * w.k_35 - w.k_22;
+        const Number k_36 = w.k_33 * (k_34 - Number(8)) + Number(1) / Number(9) * k_4 + Number(3) - Number(6) * w.k_35 - k_22;
         w.k_37 = w.k_33 * w.k_33;
-        w.k_38 = w.k_32 * w.k_36 + c.u_phi * c.c_3 * (Number(4) * w.k_37 - Number(1));
-        w.k_39 = c.eps * w.k_38 + Number(1) / Number(2) * c.v_phi * w.k_32 * w.k_33;
-        w.k_40 = c.u_phi * w.k_33 * (-Number(4) * c.c_3 - Number(1) / Number(2) * c.u_phi * w.k_32);
-        w.k_41 = c.eps * (c.v_phi * w.k_39 + w.k_40) - Number(2) * c.v_phi * w.k_32;
-        w.k_42 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
-        w.k_43 = w.theta_0 * w.theta_0;
-        w.k_44 = w.k_13 + c.eps * w.k_41;
-        c.c_18 = w.k_31 + Number(1) / Number(16) * w.k_14 * (w.k_41 * w.k_41) + w.k_42 * w.k_43 - Number(4) * (w.k_44 * w.k_44);
-        w.k_45 = w.k_14 * w.k_14;
-        w.k_46 = Number(4) * w.k_35 * w.k_37 * w.k_45;
-        w.k_47 = w.k_32 * w.k_32;
-        w.k_48 = Number(31) / Number(4) * w.k_33;
-        w.k_49 = Number(3) * w.k_35;
-        w.k_50 = w.k_14 * (w.k_33 * (Number(4) + w.k_48) + w.k_49 - Number(3) / Number(2));
-        w.k_51 = Number(1) + w.k_50;
-        w.k_52 = Number(1) / Number(16) * w.k_37 * w.k_45 * w.k_47;
-        w.k_53 = Number(1) / Number(4) - w.k_37;
-        w.k_54 = Number(1) / Number(12) * w.k_37;
-        w.k_55 = Number(1) / Number(18) - w.k_54;
-        w.k_56 = w.k_54 - Number(1) / Number(18);
-        w.k_57 = w.k_37 - Number(1) / Number(4);
-        w.k_58 = w.k_14 * (Number(3) / Number(2) + w.k_33 * (-Number(4) - w.k_48) - w.k_49);
-        w.k_59 = w.k_58 - Number(1);
-        c.c_19 = Number(4) + Number(4) * w.k_43 - (w.k_46 + w.k_14 * w.k_47 * (w.k_51 * w.k_51)) - (w.k_52 + w.k_35 * w.k_31 * (w.k_53 * w.k_53)) - w.k_31 * w.k_47 * (w.k_55 * w.k_55) - w.k_31 * w.k_47 * (w.k_56 * w.k_56) - (w.k_52 + w.k_35 * w.k_31 * (w.k_57 * w.k_57)) - (w.k_46 + w.k_14 * w.k_47 * (w.k_59 * w.k_59));
-        w.k_60 = w.k_33 * (Number(3) * w.k_3 - Number(8) - Number(3) * w.k_4) - Number(7) / Number(2);
-        w.k_61 = w.k_33 * w.k_60 + Number(17) / Number(6) * w.k_4 + Number(2) / Number(3) - Number(17) / Number(6) * w.k_3;
-        w.k_62 = c.u_phi * c.c_3 * (Number(21) / Number(2) * w.k_37 - Number(23) / Number(3));
-        w.k_63 = w.k_33 * (Number(101) / Number(2) - Number(7) / Number(2) * w.k_4);
-        w.k_64 = Number(2) * w.k_35;
-        w.k_65 = w.k_33 * (w.k_63 + Number(16)) + w.k_64 + Number(23) / Number(9) * w.k_4 - Number(35);
-        w.k_66 = c.v_phi * w.k_33 * (w.p_0 + w.k_28 + Number(3) * c.u_phi * w.k_32);
-        w.k_67 = c.eps * (c.u_phi * (w.k_32 * w.k_61 + w.k_62) + c.c_3 * w.k_65) + w.k_66;
-        w.k_68 = w.k_32 * (w.k_33 * (-Number(7) - w.k_3) - Number(4)) - c.u_phi * c.c_3 * w.k_33;
-        w.k_69 = Number(2) + c.v_phi * (-Number(3) / Number(2) * c.eps - Number(2) * c.v_phi) + Number(2) / Number(3) * w.k_3 - w.k_64;
-        w.k_70 = c.u_phi * (w.k_32 * w.k_69 - Number(1) / Number(2) * c.u_phi * c.c_3);
-        w.k_71 = c.v_phi * c.c_3 * (Number(1) / Number(2) * c.v_phi - Number(8) * c.eps);
-        w.k_72 = c.eps * (w.k_33 * (c.v_phi * w.k_67 + c.u_phi * w.k_68) + w.k_70 + w.k_71);
-        w.k_73 = c.v_phi * w.k_33 * (Number(2) * c.c_3 - Number(2) * c.u_phi * w.k_32);
-        w.k_74 = w.k_72 + w.k_73;
-        w.k_75 = w.k_28 + c.eps * w.k_74;
-        c.c_20 = w.k_31 + Number(1) / Number(16) * w.k_14 * (w.k_74 * w.k_74) + w.k_42 * w.k_6 - Number(4) * (w.k_75 * w.k_75);
-        w.k_76 = Number(1) + w.k_33 * (-Number(2) - Number(7) / Number(2) * w.k_33) - w.k_35;
-        w.k_77 = w.k_45 * w.k_47 * (w.k_76 * w.k_76);
+        const Number k_38 = k_32 * k_36 + c.u_phi * c.c_3 * (Number(4) * w.k_37 - Number(1));
+        const Number k_39 = c.eps * k_38 + Number(1) / Number(2) * c.v_phi * k_32 * w.k_33;
+        const Number k_40 = c.u_phi * w.k_33 * (-Number(4) * c.c_3 - Number(1) / Number(2) * c.u_phi * k_32);
+        const Number k_41 = c.eps * (c.v_phi * k_39 + k_40) - Number(2) * c.v_phi * k_32;
+        const Number k_42 = resonform::math::number<Number>({1e-20, 5.484672854579043e-37, -7.937258076395694e-54, -1.94803413516179e-71, -8.14419767695122e-88, 2.6241799616380237e-104, 9.135567164689702e-121});
+        const Number k_43 = theta_0 * theta_0;
+        const Number k_44 = k_13 + c.eps * k_41;
+        c.c_18 = w.k_31 + Number(1) / Number(16) * w.k_14 * (k_41 * k_41) + k_42 * k_43 - Number(4) * (k_44 * k_44);
+        const Number k_45 = w.k_14 * w.k_14;
+        const Number k_46 = Number(4) * w.k_35 * w.k_37 * k_45;
+        w.k_47 = k_32 * k_32;
+        const Number k_48 = Number(31) / Number(4) * w.k_33;
+        const Number k_49 = Number(3) * w.k_35;
+        const Number k_50 = w.k_14 * (w.k_33 * (Number(4) + k_48) + k_49 - Number(3) / Number(2));
+        const Number k_51 = Number(1) + k_50;
+        const Number k_52 = Number(1) / Number(16) * w.k_37 * k_45 * w.k_47;
+        const Number k_53 = Number(1) / Number(4) - w.k_37;
+        const Number k_54 = Number(1) / Number(12) * w.k_37;
+        const Number k_55 = Number(1) / Number(18) - k_54;
+        const Number k_56 = k_54 - Number(1) / Number(18);
+        const Number k_57 = w.k_37 - Number(1) / Number(4);
+        const Number k_58 = w.k_14 * (Number(3) / Number(2) + w.k_33 * (-Number(4) - k_48) - k_49);
+        const Number k_59 = k_58 - Number(1);
+        c.c_19 = Number(4) + Number(4) * k_43 - (k_46 + w.k_14 * w.k_47 * (k_51 * k_51)) - (k_52 + w.k_35 * w.k_31 * (k_53 * k_53)) - w.k_31 * w.k_47 * (k_55 * k_55) - w.k_31 * w.k_47 * (k_56 * k_56) - (k_52 + w.k_35 * w.k_31 * (k_57 * k_57)) - (k_46 + w.k_14 * w.k_47 * (k_59 * k_59));
+        const Number k_60 = w.k_33 * (Number(3) * k_3 - Number(8) - Number(3) * k_4) - Number(7) / Number(2);
+        const Number k_61 = w.k_33 * k_60 + Number(17) / Number(6) * k_4 + Number(2) / Number(3) - Number(17) / Number(6) * k_3;
+        const Number k_62 = c.u_phi * c.c_3 * (Number(21) / Number(2) * w.k_37 - Number(23) / Number(3));
+        const Number k_63 = w.k_33 * (Number(101) / Number(2) - Number(7) / Number(2) * k_4);
+        const Number k_64 = Number(2) * w.k_35;
+        const Number k_65 = w.k_33 * (k_63 + Number(16)) + k_64 + Number(23) / Number(9) * k_4 - Number(35);
+        const Number k_66 = c.v_phi * w.k_33 * (p_0 + k_28 + Number(3) * c.u_phi * k_32);
+        const Number k_67 = c.eps * (c.u_phi * (k_32 * k_61 + k_62) + c.c_3 * k_65) + k_66;
+        const Number k_68 = k_32 * (w.k_33 * (-Number(7) - k_3) - Number(4)) - c.u_phi * c.c_3 * w.k_33;
+        const Number k_69 = Number(2) + c.v_phi * (-Number(3) / Number(2) * c.eps - Number(2) * c.v_phi) + Number(2) / Number(3) * k_3 - k_64;
+        const Number k_70 = c.u_phi * (k_32 * k_69 - Number(1) / Number(2) * c.u_phi * c.c_3);
+        const Number k_71 = c.v_phi * c.c_3 * (Number(1) / Number(2) * c.v_phi - Number(8) * c.eps);
+        const Number k_72 = c.eps * (w.k_33 * (c.v_phi * k_67 + c.u_phi * k_68) + k_70 + k_71);
+        const Number k_73 = c.v_phi * w.k_33 * (Number(2) * c.c_3 - Number(2) * c.u_phi * k_32);
+        const Number k_74 = k_72 + k_73;
+        const Number k_75 = k_28 + c.eps * k_74;
+        c.c_20 = w.k_31 + Number(1) / Number(16) * w.k_14 * (k_74 * k_74) + k_42 * w.k_6 - Number(4) * (k_75 * k_75);
+        const Number k_76 = Number(1) + w.k_33 * (-Number(2) - Number(7) / Number(2) * w.k_33) - w.k_35;
+        w.k_77 = k_45 * w.k_47 * (k_76 * k_76);
         w.k_78 = Number(101) / Number(4) * w.k_33;
-        w.k_79 = w.k_33 * (w.k_33 * (-Number(8) - w.k_78) + Number(35) / Number(2) - w.k_35);
-        w.k_80 = w.k_14 * (Number(4) + w.k_79) - w.k_33;
-        w.k_81 = Number(1) / Number(2) * w.k_37;
-        w.k_82 = -Number(1) / Number(4) - w.k_81;
-        w.k_83 = w.k_35 * w.k_45 * (w.k_82 * w.k_82);
+        const Number k_79 = w.k_33 * (w.k_33 * (-Number(8) - w.k_78) + Number(35) / Number(2) - w.k_35);
+        w.k_80 = w.k_14 * (Number(4) + k_79) - w.k_33;
+        const Number k_81 = Number(1) / Number(2) * w.k_37;
+        const Number k_82 = -Number(1) / Number(4) - k_81;
+        w.k_83 = w.k_35 * k_45 * (k_82 * k_82);
         w.k_84 = Number(2) * w.k_33;
-        w.k_85 = w.k_33 * (w.k_84 + Number(7) / Number(8)) - Number(1) / Number(6);
+        const Number k_85 = w.k_33 * (w.k_84 + Number(7) / Number(8)) - Number(1) / Number(6);
         w.k_86 = Number(1) / Number(2) * w.k_33;
-        w.k_87 = w.k_14 * (w.k_33 * w.k_85 + Number(3) / Number(8)) + w.k_86;
-        w.k_88 = Number(1) / Number(3) - w.k_81;
-        w.k_89 = w.k_45 * w.k_47 * (w.k_88 * w.k_88);
+        w.k_87 = w.k_14 * (w.k_33 * k_85 + Number(3) / Number(8)) + w.k_86;
+        const Number k_88 = Number(1) / Number(3) - k_81;
+        w.k_89 = k_45 * w.k_47 * (k_88 * k_88);
         w.k_90 = Number(7) / Number(4) * w.k_37;
         w.k_91 = Number(23) / Number(18) - w.k_90;
-        w.k_92 = Number(3) / Number(8) * w.k_37;
-        w.k_93 = Number(17) / Number(48) - w.k_92;
-        w.k_94 = w.k_92 - Number(17) / Number(48);
+        const Number k_92 = Number(3) / Number(8) * w.k_37;
+        w.k_93 = Number(17) / Number(48) - k_92;
+        w.k_94 = k_92 - Number(17) / Number(48);
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_95 = w.k_90 - Number(23) / Number(18);
-        w.k_96 = w.k_33 * (-w.k_84 - Number(7) / Number(8)) + Number(1) / Number(6);
-        w.k_97 = w.k_14 * (w.k_33 * w.k_96 - Number(3) / Number(8)) - w.k_86;
-        w.k_98 = w.k_33 * (w.k_35 + w.k_33 * (Number(8) + w.k_78) - Number(35) / Number(2));
-        w.k_99 = w.k_33 + w.k_14 * (w.k_98 - Number(4));
-        c.c_21 = Number(4) + Number(4) * w.k_6 - (w.k_77 + w.k_35 * w.k_14 * (w.k_80 * w.k_80)) - (w.k_83 + w.k_14 * w.k_47 * (w.k_87 * w.k_87)) - (w.k_89 + w.k_35 * w.k_37 * w.k_31 * (w.k_91 * w.k_91)) - w.k_37 * w.k_31 * w.k_47 * (w.k_93 * w.k_93) - w.k_37 * w.k_31 * w.k_47 * (w.k_94 * w.k_94) - (w.k_89 + w.k_35 * w.k_37 * w.k_31 * (w.k_95 * w.k_95)) - (w.k_83 + w.k_14 * w.k_47 * (w.k_97 * w.k_97)) - (w.k_77 + w.k_35 * w.k_14 * (w.k_99 * w.k_99));
+        const Number k_95 = w.k_90 - Number(23) / Number(18);
+        const Number k_96 = w.k_33 * (-w.k_84 - Number(7) / Number(8)) + Number(1) / Number(6);
+        const Number k_97 = w.k_14 * (w.k_33 * k_96 - Number(3) / Number(8)) - w.k_86;
+        const Number k_98 = w.k_33 * (w.k_35 + w.k_33 * (Number(8) + w.k_78) - Number(35) / Number(2));
+        const Number k_99 = w.k_33 + w.k_14 * (k_98 - Number(4));
+        c.c_21 = Number(4) + Number(4) * w.k_6 - (w.k_77 + w.k_35 * w.k_14 * (w.k_80 * w.k_80)) - (w.k_83 + w.k_14 * w.k_47 * (w.k_87 * w.k_87)) - (w.k_89 + w.k_35 * w.k_37 * w.k_31 * (w.k_91 * w.k_91)) - w.k_37 * w.k_31 * w.k_47 * (w.k_93 * w.k_93) - w.k_37 * w.k_31 * w.k_47 * (w.k_94 * w.k_94) - (w.k_89 + w.k_35 * w.k_37 * w.k_31 * (k_95 * k_95)) - (w.k_83 + w.k_14 * w.k_47 * (k_97 * k_97)) - (w.k_77 + w.k_35 * w.k_14 * (k_99 * k_99));
     }
 
     template <class Number> static void compute_constants(
@@ -482,6 +399,35 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_9;
+        Number c_10;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_9 = Number(0);
+        c.c_10 = Number(1) / eps;
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_9 = all.c_9;
+            c.c_10 = all.c_10;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // The slow flow: dtheta/dT, dp/dT
     template <class Number> static std::array<Number, 2> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
@@ -493,8 +439,8 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_10;
     }
 
@@ -637,12 +583,14 @@ private:
         }
         auto conditions() const { return std::array<Real, 4>{c.c_18, c.c_19, c.c_20, c.c_21}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_9};
             }
@@ -700,7 +648,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

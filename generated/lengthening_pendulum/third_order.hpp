@@ -148,24 +148,24 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number phase_phi{};
-        Number l_0{};
-        Number amplitude_phi{};
-        Number c_1{};
-        Number c_2{};
-        Number eps{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
+        Number phase_phi;
+        Number l_0;
+        Number amplitude_phi;
+        Number c_1;
+        Number c_2;
+        Number eps;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
     };
 
     template <class Number> static void compute_constants(
@@ -191,6 +191,21 @@ private:
         const Number k_3 = magnitude(c.amplitude_phi);
         c.c_13 = Number(3) / Number(32) * c.c_3 * (k_3 * k_3);
         c.c_14 = Number(9) / Number(64) * c.c_3;
+    }
+
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number phase_phi;
+        Number l_0;
+        Number c_4;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.phase_phi = Number(start.phase_phi);
+        c.l_0 = Number(start.l_0);
+        const Number eps = Number(given_eps);
+        c.c_4 = Number(1) / eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -451,22 +466,17 @@ private:
         auto margins(const Real& T) const { return layers(c, T); }
         auto margins(const resonform::Bounds<Real>& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
-        template <class Number> struct SomeConstants {
-            Number phase_phi, l_0, c_4;
-        };
         template <class Number> struct Angles {
-            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (resonform::divides_rates<Number, Real>) {
-                    Constants<Number> all;
-                    compute_constants(course.eps, course.parameters, course.given, all);
-                    own.phase_phi = all.phase_phi;
-                    own.l_0 = all.l_0;
-                    own.c_4 = all.c_4;
-                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                    compute_phase_constants(course.eps, course.parameters, course.given, own);
+                } else if constexpr (!std::is_same_v<Number, Real>) {
+                    compute_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.phase_phi};
             }
@@ -526,7 +536,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

@@ -168,33 +168,33 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number eps{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
+        Number c_1;
+        Number eps;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
     };
 
     template <class Number> static void compute_constants(
@@ -382,15 +382,67 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_2;
+        Number c_3;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.c_1 = Number(0);
+        const Number k_1 = sqrt(Number(Number(41) / Number(10)));
+        const Number k_2 = -Number(2) - k_1;
+        const Number k_3 = k_1 + Number(2);
+        const Number k_4 = Number(1) / k_3;
+        const Number eps = Number(given_eps);
+        const Number k_5 = eps * eps;
+        const Number amplitude_x = Number(start.amplitude_x);
+        const Number k_6 = amplitude_x * amplitude_x;
+        const Number phase_x = Number(start.phase_x);
+        const Number k_7 = cos(phase_x);
+        const Number k_8 = k_7 * k_7;
+        const Number k_9 = sin(phase_x);
+        const Number k_10 = k_9 * k_9;
+        const Number amplitude_y = Number(start.amplitude_y);
+        const Number k_11 = amplitude_y * amplitude_y;
+        const Number phase_y = Number(start.phase_y);
+        const Number k_12 = cos(phase_y);
+        const Number k_13 = sin(phase_y);
+        const Number k_14 = Number(43) / Number(40) * k_6 * k_8 + Number(43) / Number(40) * k_6 * k_10 - Number(41) / Number(10) * k_11 * (k_12 * k_12) - Number(41) / Number(10) * k_11 * (k_13 * k_13);
+        const Number k_15 = Number(41) / Number(100) * k_3 * (Number(1) / k_2);
+        const Number k_16 = Number(1) / eps;
+        c.c_2 = Number(100) / Number(41) * k_2 * k_4 * (k_5 * k_14 + k_15) * k_16;
+        c.c_3 = Number(100) / Number(41) * k_1 * k_2 * k_4 * k_16 * (k_15 + k_5 * (-k_6 * k_8 - k_6 * k_10));
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_1 = all.c_1;
+            c.c_2 = all.c_2;
+            c.c_3 = all.c_3;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // dtheta_1/dT
-    template <class Number> static Number theta_1_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_1_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_2;
     }
 
     // dtheta_2/dT
-    template <class Number> static Number theta_2_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_2_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_3;
     }
 
@@ -530,12 +582,14 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 4>{c.c_23, c.c_24, c.c_25, c.c_26}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 2> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_1, known.c_1};
             }
@@ -594,7 +648,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_1_;
     resonform::Phase<Real> theta_2_;

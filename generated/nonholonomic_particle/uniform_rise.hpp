@@ -162,14 +162,14 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number c_2{};
-        Number x_0{};
-        Number x_dot_0{};
-        Number y_0{};
-        Number y_dot_0{};
-        Number z_0{};
-        Number c_3{};
+        Number c_1;
+        Number c_2;
+        Number x_0;
+        Number x_dot_0;
+        Number y_0;
+        Number y_dot_0;
+        Number z_0;
+        Number c_3;
     };
 
     template <class Number> static void compute_constants(
@@ -185,9 +185,22 @@ private:
         c.c_3 = c.x_dot_0 * c.y_0 - c.x_0 * c.y_dot_0;
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_2;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        c.c_1 = Number(0);
+        const Number eps = Number(given_eps);
+        c.c_2 = Number(1) / eps;
+    }
+
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_2;
     }
 
@@ -317,12 +330,14 @@ private:
 
         Columns start() const { return {}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    compute_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_1};
             }
@@ -373,7 +388,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

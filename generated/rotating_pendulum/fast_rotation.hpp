@@ -143,25 +143,25 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number c_1{};
-        Number eps{};
-        Number J_mean{};
-        Number c_2{};
-        Number u_phi{};
-        Number v_phi{};
-        Number per_J_mean{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
+        Number c_1;
+        Number eps;
+        Number J_mean;
+        Number c_2;
+        Number u_phi;
+        Number v_phi;
+        Number per_J_mean;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
     };
 
     template <class Number> static void compute_constants(
@@ -305,9 +305,54 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_1;
+        Number c_2;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.c_1 = Number(0);
+        const Number J_0 = Number(start.J_0);
+        const Number eps = Number(given_eps);
+        const Number k_1 = Number(1) / J_0;
+        const Number k_2 = k_1 * k_1 * k_1;
+        const Number phi_0 = Number(start.phi_0);
+        const Number k_3 = cos(phi_0);
+        const Number k_4 = k_3 * k_3;
+        const Number k_5 = sin(phi_0);
+        const Number k_6 = k_5 * k_5;
+        const Number k_7 = Number(15) / Number(32) * k_6 + Number(25) / Number(8) - Number(5) / Number(64) * k_4;
+        const Number k_8 = k_4 * k_7 + k_6 * (-Number(5) / Number(64) * k_6 - Number(25) / Number(8)) - Number(33) / Number(8);
+        const Number k_9 = J_0 * J_0;
+        const Number k_10 = Number(3) / Number(8) * k_4 - Number(1) / Number(8) * k_6 - Number(21) / Number(8);
+        const Number k_11 = Number(1) / Number(4) * k_4 - Number(1) - Number(1) / Number(4) * k_6;
+        const Number k_12 = k_9 * J_0;
+        const Number k_13 = eps * (eps * (eps * k_8 + k_5 * k_9 * k_10) + k_9 * k_9 * k_11) - k_5 * (k_12 * k_12);
+        const Number J_mean = J_0 + eps * (k_2 * k_2 * k_1) * k_13;
+        c.c_2 = J_mean * (Number(1) / eps);
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_1 = all.c_1;
+            c.c_2 = all.c_2;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_2;
     }
 
@@ -429,12 +474,14 @@ private:
         Columns start() const { return {}; }
         auto conditions() const { return std::array<Real, 8>{c.J_mean, c.c_8, c.c_9, c.c_10, c.c_11, c.c_12, c.c_13, c.c_14}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_1};
             }
@@ -486,7 +533,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

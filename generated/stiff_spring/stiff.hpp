@@ -179,261 +179,162 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number eps{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number u_x{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number v_x{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number u_y{};
-        Number v_y{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
-        Number c_29{};
-        Number c_30{};
-        Number c_31{};
-        Number c_32{};
-        Number c_33{};
-        Number c_34{};
-        Number c_35{};
-        Number c_36{};
-        Number c_37{};
-        Number c_38{};
-        Number c_39{};
-        Number c_40{};
-        Number c_41{};
-        Number c_42{};
-        Number c_43{};
-        Number c_44{};
+        Number eps;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number u_x;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number v_x;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number u_y;
+        Number v_y;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
+        Number c_29;
+        Number c_30;
+        Number c_31;
+        Number c_32;
+        Number c_33;
+        Number c_34;
+        Number c_35;
+        Number c_36;
+        Number c_37;
+        Number c_38;
+        Number c_39;
+        Number c_40;
+        Number c_41;
+        Number c_42;
+        Number c_43;
+        Number c_44;
     };
 
     template <class Number> struct compute_constants_quantities {
-        Number x_0{};
-        Number k_1{};
-        Number x_dot_0{};
-        Number k_2{};
-        Number y_0{};
-        Number y_dot_0{};
-        Number k_3{};
-        Number k_4{};
-        Number k_5{};
-        Number k_6{};
-        Number k_7{};
-        Number k_8{};
-        Number k_9{};
-        Number k_10{};
-        Number k_11{};
-        Number k_12{};
-        Number k_13{};
-        Number k_14{};
-        Number k_15{};
-        Number k_16{};
-        Number k_17{};
-        Number k_18{};
-        Number k_19{};
-        Number k_20{};
-        Number k_21{};
-        Number k_22{};
-        Number k_23{};
-        Number k_24{};
-        Number k_25{};
-        Number k_26{};
-        Number k_27{};
-        Number k_28{};
-        Number k_29{};
-        Number k_30{};
-        Number k_31{};
-        Number k_32{};
-        Number k_33{};
-        Number k_34{};
-        Number k_35{};
-        Number k_36{};
-        Number k_37{};
-        Number k_38{};
-        Number k_39{};
-        Number k_40{};
-        Number k_41{};
-        Number k_42{};
-        Number k_43{};
-        Number k_44{};
-        Number k_45{};
-        Number k_46{};
-        Number k_47{};
-        Number k_48{};
-        Number k_49{};
-        Number k_50{};
-        Number k_51{};
-        Number k_52{};
-        Number k_53{};
-        Number k_54{};
-        Number k_55{};
-        Number k_56{};
-        Number k_57{};
-        Number k_58{};
-        Number k_59{};
-        Number k_60{};
-        Number k_61{};
-        Number k_62{};
-        Number k_63{};
-        Number k_64{};
-        Number k_65{};
-        Number k_66{};
-        Number k_67{};
-        Number k_68{};
-        Number k_69{};
-        Number k_70{};
-        Number k_71{};
-        Number k_72{};
-        Number k_73{};
-        Number k_74{};
-        Number k_75{};
-        Number k_76{};
-        Number k_77{};
-        Number k_78{};
-        Number k_79{};
-        Number k_80{};
-        Number k_81{};
-        Number k_82{};
-        Number k_83{};
-        Number k_84{};
-        Number k_85{};
-        Number k_86{};
-        Number k_87{};
-        Number k_88{};
-        Number k_89{};
-        Number k_90{};
-        Number k_91{};
-        Number k_92{};
-        Number k_93{};
-        Number k_94{};
-        Number k_95{};
-        Number k_96{};
-        Number k_97{};
-        Number k_98{};
-        Number k_99{};
-        Number k_100{};
-        Number k_101{};
-        Number k_102{};
-        Number k_103{};
-        Number k_104{};
-        Number k_105{};
-        Number k_106{};
-        Number k_107{};
-        Number k_108{};
-        Number k_109{};
-        Number k_110{};
+        Number k_1;
+        Number k_2;
+        Number y_0;
+        Number k_3;
+        Number k_4;
+        Number k_9;
+        Number k_17;
+        Number k_30;
+        Number k_37;
+        Number k_44;
+        Number k_67;
+        Number k_68;
+        Number k_69;
+        Number k_70;
+        Number k_71;
     };
 
     template <class Number> static void compute_constants_1(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.x_0 = Number(start.x_0);
+        const Number x_0 = Number(start.x_0);
         c.eps = Number(given_eps);
-        w.k_1 = w.x_0 * w.x_0;
-        w.x_dot_0 = Number(start.x_dot_0);
-        w.k_2 = w.x_dot_0 * w.x_dot_0;
+        w.k_1 = x_0 * x_0;
+        const Number x_dot_0 = Number(start.x_dot_0);
+        w.k_2 = x_dot_0 * x_dot_0;
         w.y_0 = Number(start.y_0);
-        w.y_dot_0 = Number(start.y_dot_0);
-        w.k_3 = Number(1) / Number(10) * w.y_dot_0;
+        const Number y_dot_0 = Number(start.y_dot_0);
+        w.k_3 = Number(1) / Number(10) * y_dot_0;
         w.k_4 = -w.y_0 - w.k_3;
-        w.k_5 = Number(587292825) / Number(251801320256LL) * w.k_4 - Number(25) / Number(1024) * w.k_1 - Number(217) / Number(512) * w.k_2 - Number(98776815) / Number(503602640512LL) * w.y_0 - Number(15058725) / Number(200160032);
-        w.k_6 = Number(55493181) / Number(2013605120) * w.k_4 + Number(195703) / Number(62550010) - Number(57550881) / Number(2013605120) * w.y_0;
-        w.k_7 = Number(13348377) / Number(503602640512LL) * w.y_0 - Number(233) / Number(1024) * w.k_2 - Number(350591175) / Number(251801320256LL) * w.k_4 - Number(27823829) / Number(200160032);
-        w.k_8 = Number(894944499) / Number(32333736323200LL) * w.y_0 + Number(115001) / Number(160068001600LL) * w.k_4;
+        const Number k_5 = Number(587292825) / Number(251801320256LL) * w.k_4 - Number(25) / Number(1024) * w.k_1 - Number(217) / Number(512) * w.k_2 - Number(98776815) / Number(503602640512LL) * w.y_0 - Number(15058725) / Number(200160032);
+        const Number k_6 = Number(55493181) / Number(2013605120) * w.k_4 + Number(195703) / Number(62550010) - Number(57550881) / Number(2013605120) * w.y_0;
+        const Number k_7 = Number(13348377) / Number(503602640512LL) * w.y_0 - Number(233) / Number(1024) * w.k_2 - Number(350591175) / Number(251801320256LL) * w.k_4 - Number(27823829) / Number(200160032);
+        const Number k_8 = Number(894944499) / Number(32333736323200LL) * w.y_0 + Number(115001) / Number(160068001600LL) * w.k_4;
         w.k_9 = w.k_4 * w.k_4;
-        w.k_10 = w.x_0 * (w.x_0 * w.k_5 - w.x_dot_0 * w.k_6) + w.k_2 * w.k_7 + w.y_0 * w.k_8 - Number(115005001) / Number(32333736323200LL) * w.k_9;
-        w.k_11 = -Number(697693833) / Number(5036026405120LL) * w.y_0 - Number(727089867) / Number(5036026405120LL) * w.k_4 - Number(1171719) / Number(125100020);
-        w.k_12 = Number(29247) / Number(32013600320LL) * w.k_4 - Number(6945543) / Number(6466747264640LL) * w.y_0;
-        w.k_13 = w.k_2 * w.k_11 + w.y_0 * w.k_12 - Number(734649) / Number(6466747264640LL) * w.k_9;
+        const Number k_10 = x_0 * (x_0 * k_5 - x_dot_0 * k_6) + w.k_2 * k_7 + w.y_0 * k_8 - Number(115005001) / Number(32333736323200LL) * w.k_9;
+        const Number k_11 = -Number(697693833) / Number(5036026405120LL) * w.y_0 - Number(727089867) / Number(5036026405120LL) * w.k_4 - Number(1171719) / Number(125100020);
+        const Number k_12 = Number(29247) / Number(32013600320LL) * w.k_4 - Number(6945543) / Number(6466747264640LL) * w.y_0;
+        const Number k_13 = w.k_2 * k_11 + w.y_0 * k_12 - Number(734649) / Number(6466747264640LL) * w.k_9;
         c.c_1 = Number(5) / Number(32);
         c.c_2 = Number(9) / Number(32);
         c.c_3 = Number(1) / Number(10004);
-        w.k_14 = c.c_3 * w.y_0;
+        const Number k_14 = c.c_3 * w.y_0;
         c.c_4 = Number(25) / Number(5002);
-        w.k_15 = c.c_4 * w.k_4;
+        const Number k_15 = c.c_4 * w.k_4;
         c.c_5 = Number(49) / Number(100040);
         c.c_6 = Number(51) / Number(100040);
-        w.k_16 = c.eps * (w.x_0 * w.k_10 - w.x_dot_0 * w.k_13) + w.x_0 * (c.c_1 * w.k_1 + c.c_2 * w.k_2 + w.k_15 - w.k_14) - w.x_dot_0 * (-c.c_5 * w.y_0 - c.c_6 * w.k_4);
-        w.k_17 = c.eps * w.k_16;
-        c.u_x = w.x_0 + w.k_17;
+        const Number k_16 = c.eps * (x_0 * k_10 - x_dot_0 * k_13) + x_0 * (c.c_1 * w.k_1 + c.c_2 * w.k_2 + k_15 - k_14) - x_dot_0 * (-c.c_5 * w.y_0 - c.c_6 * w.k_4);
+        w.k_17 = c.eps * k_16;
+        c.u_x = x_0 + w.k_17;
         c.c_7 = Number(51) / Number(256) * c.eps;
         c.c_8 = Number(51) / Number(128) * c.eps;
-        w.k_18 = Number(1863) / Number(10004) * c.eps;
-        c.c_9 = w.k_18 - Number(3) / Number(8);
+        const Number k_18 = Number(1863) / Number(10004) * c.eps;
+        c.c_9 = k_18 - Number(3) / Number(8);
         c.c_10 = Number(125) / Number(10004) * c.eps;
-        w.k_19 = Number(431) / Number(1024) * w.k_1 + Number(199) / Number(512) * w.k_2 + Number(249136575) / Number(503602640512LL) * w.y_0 + Number(46725979) / Number(200160032) - Number(582031725) / Number(251801320256LL) * w.k_4;
-        w.k_20 = Number(5883897) / Number(402721024) * w.y_0 + Number(683711) / Number(31275005) - Number(5396877) / Number(402721024) * w.k_4;
-        w.k_21 = Number(79) / Number(1024) * w.k_2 + Number(352833075) / Number(251801320256LL) * w.k_4 + Number(9451075) / Number(200160032) - Number(13888233) / Number(503602640512LL) * w.y_0;
-        w.k_22 = -Number(95004501) / Number(32333736323200LL) * w.y_0 - Number(34999) / Number(160068001600LL) * w.k_4;
-        w.k_23 = w.x_0 * (w.x_0 * w.k_19 - w.x_dot_0 * w.k_20) + w.k_2 * w.k_21 + w.y_0 * w.k_22 + Number(106924799) / Number(32333736323200LL) * w.k_9;
-        w.k_24 = Number(114415668101LL) / Number(5036026405120LL) * w.y_0 + Number(4297969) / Number(125100020) - Number(122102955801LL) / Number(5036026405120LL) * w.k_4;
-        w.k_25 = Number(372823951) / Number(6466747264640LL) * w.y_0 + Number(4109349) / Number(32013600320LL) * w.k_4;
-        w.k_26 = w.k_1 * w.k_24 + w.y_0 * w.k_25 - Number(412824951) / Number(6466747264640LL) * w.k_9;
-        w.k_27 = w.k_14 - Number(15) / Number(32) * w.k_1 - Number(3) / Number(32) * w.k_2 - w.k_15;
-        w.k_28 = Number(4951) / Number(100040) * w.k_4 - Number(5051) / Number(100040) * w.y_0;
-        w.k_29 = c.eps * (w.x_0 * w.k_26 - w.x_dot_0 * w.k_23) + w.x_0 * w.k_28 - w.x_dot_0 * w.k_27;
-        w.k_30 = c.eps * w.k_29;
-        c.v_x = w.k_30 - w.x_dot_0;
-        c.c_11 = Number(3) / Number(8) - w.k_18;
+        const Number k_19 = Number(431) / Number(1024) * w.k_1 + Number(199) / Number(512) * w.k_2 + Number(249136575) / Number(503602640512LL) * w.y_0 + Number(46725979) / Number(200160032) - Number(582031725) / Number(251801320256LL) * w.k_4;
+        const Number k_20 = Number(5883897) / Number(402721024) * w.y_0 + Number(683711) / Number(31275005) - Number(5396877) / Number(402721024) * w.k_4;
+        const Number k_21 = Number(79) / Number(1024) * w.k_2 + Number(352833075) / Number(251801320256LL) * w.k_4 + Number(9451075) / Number(200160032) - Number(13888233) / Number(503602640512LL) * w.y_0;
+        const Number k_22 = -Number(95004501) / Number(32333736323200LL) * w.y_0 - Number(34999) / Number(160068001600LL) * w.k_4;
+        const Number k_23 = x_0 * (x_0 * k_19 - x_dot_0 * k_20) + w.k_2 * k_21 + w.y_0 * k_22 + Number(106924799) / Number(32333736323200LL) * w.k_9;
+        const Number k_24 = Number(114415668101LL) / Number(5036026405120LL) * w.y_0 + Number(4297969) / Number(125100020) - Number(122102955801LL) / Number(5036026405120LL) * w.k_4;
+        const Number k_25 = Number(372823951) / Number(6466747264640LL) * w.y_0 + Number(4109349) / Number(32013600320LL) * w.k_4;
+        const Number k_26 = w.k_1 * k_24 + w.y_0 * k_25 - Number(412824951) / Number(6466747264640LL) * w.k_9;
+        const Number k_27 = k_14 - Number(15) / Number(32) * w.k_1 - Number(3) / Number(32) * w.k_2 - k_15;
+        const Number k_28 = Number(4951) / Number(100040) * w.k_4 - Number(5051) / Number(100040) * w.y_0;
+        const Number k_29 = c.eps * (x_0 * k_26 - x_dot_0 * k_23) + x_0 * k_28 - x_dot_0 * k_27;
+        w.k_30 = c.eps * k_29;
+        c.v_x = w.k_30 - x_dot_0;
+        c.c_11 = Number(3) / Number(8) - k_18;
         c.c_12 = Number(0);
         c.c_13 = Number(1) / c.eps;
         c.c_14 = Number(10) * c.c_13;
         c.c_15 = -Number(10) * c.c_13;
-        w.k_31 = Number(659316327) / Number(125900660128LL) * w.x_0 - Number(6576375) / Number(31475165032LL) * w.x_dot_0;
-        w.k_32 = w.x_0 * w.k_31 + Number(37732399) / Number(9907921584LL) * w.y_0 - Number(10107) / Number(25170064) * w.k_2 - Number(307525) / Number(50040008) * w.k_4;
-        w.k_33 = -Number(2802375) / Number(31475165032LL) * w.k_2 - Number(245) / Number(10004) * w.y_0 - Number(755) / Number(990396) * w.k_4;
-        w.k_34 = Number(13232603) / Number(9907921584LL) * w.y_0 - Number(627957) / Number(125900660128LL) * w.k_2 - Number(57425) / Number(50040008) * w.k_4;
-        w.k_35 = c.eps * (w.x_0 * (w.x_0 * w.k_32 - w.x_dot_0 * w.k_33) + w.k_2 * w.k_34);
+        const Number k_31 = Number(659316327) / Number(125900660128LL) * x_0 - Number(6576375) / Number(31475165032LL) * x_dot_0;
+        const Number k_32 = x_0 * k_31 + Number(37732399) / Number(9907921584LL) * w.y_0 - Number(10107) / Number(25170064) * w.k_2 - Number(307525) / Number(50040008) * w.k_4;
+        const Number k_33 = -Number(2802375) / Number(31475165032LL) * w.k_2 - Number(245) / Number(10004) * w.y_0 - Number(755) / Number(990396) * w.k_4;
+        const Number k_34 = Number(13232603) / Number(9907921584LL) * w.y_0 - Number(627957) / Number(125900660128LL) * w.k_2 - Number(57425) / Number(50040008) * w.k_4;
+        const Number k_35 = c.eps * (x_0 * (x_0 * k_32 - x_dot_0 * k_33) + w.k_2 * k_34);
         c.c_16 = Number(4951) / Number(10004);
         c.c_17 = Number(250) / Number(2501);
         c.c_18 = Number(51) / Number(10004);
-        w.k_36 = w.k_35 + w.x_0 * (c.c_17 * w.x_dot_0 - c.c_16 * w.x_0) - c.c_18 * w.k_2;
-        w.k_37 = c.eps * w.k_36;
+        const Number k_36 = k_35 + x_0 * (c.c_17 * x_dot_0 - c.c_16 * x_0) - c.c_18 * w.k_2;
+        w.k_37 = c.eps * k_36;
         c.u_y = w.y_0 + w.k_37;
-        w.k_38 = Number(596556323) / Number(125900660128LL) * w.x_0 - Number(46987425) / Number(15737582516LL) * w.x_dot_0;
-        w.k_39 = w.x_0 * w.k_38 + Number(12357) / Number(25170064) * w.k_2 + Number(13731) / Number(12510002) * w.y_0 + Number(38982899) / Number(9907921584LL) * w.k_4;
-        w.k_40 = Number(168705) / Number(15737582516LL) * w.k_2 + Number(235) / Number(990396) * w.y_0 - Number(255) / Number(10004) * w.k_4;
-        w.k_41 = Number(29963) / Number(25020004) * w.y_0 + Number(12972499) / Number(9907921584LL) * w.k_4 - Number(492993) / Number(125900660128LL) * w.k_2;
-        w.k_42 = c.eps * (w.x_0 * (w.x_0 * w.k_39 - w.x_dot_0 * w.k_40) + w.k_2 * w.k_41);
-        w.k_43 = Number(5051) / Number(10004) * w.x_0 - Number(5) / Number(2501) * w.x_dot_0;
-        w.k_44 = c.eps * (w.k_42 + w.x_0 * w.k_43 - Number(49) / Number(10004) * w.k_2);
+        const Number k_38 = Number(596556323) / Number(125900660128LL) * x_0 - Number(46987425) / Number(15737582516LL) * x_dot_0;
+        const Number k_39 = x_0 * k_38 + Number(12357) / Number(25170064) * w.k_2 + Number(13731) / Number(12510002) * w.y_0 + Number(38982899) / Number(9907921584LL) * w.k_4;
+        const Number k_40 = Number(168705) / Number(15737582516LL) * w.k_2 + Number(235) / Number(990396) * w.y_0 - Number(255) / Number(10004) * w.k_4;
+        const Number k_41 = Number(29963) / Number(25020004) * w.y_0 + Number(12972499) / Number(9907921584LL) * w.k_4 - Number(492993) / Number(125900660128LL) * w.k_2;
+        const Number k_42 = c.eps * (x_0 * (x_0 * k_39 - x_dot_0 * k_40) + w.k_2 * k_41);
+        const Number k_43 = Number(5051) / Number(10004) * x_0 - Number(5) / Number(2501) * x_dot_0;
+        w.k_44 = c.eps * (k_42 + x_0 * k_43 - Number(49) / Number(10004) * w.k_2);
         c.v_y = w.k_44 - w.y_0 - w.k_3;
-        w.k_45 = Number(1) / Number(6560) * c.u_y - Number(9) / Number(6560) * c.v_y;
-        c.c_19 = c.eps * w.k_45;
-        w.k_46 = Number(9) / Number(6560) * c.u_y;
-        w.k_47 = Number(1) / Number(6560) * c.v_y;
-        c.c_20 = c.eps * (w.k_46 + w.k_47);
-        c.c_21 = c.eps * (-w.k_46 - w.k_47);
+        const Number k_45 = Number(1) / Number(6560) * c.u_y - Number(9) / Number(6560) * c.v_y;
+        c.c_19 = c.eps * k_45;
+        const Number k_46 = Number(9) / Number(6560) * c.u_y;
+        const Number k_47 = Number(1) / Number(6560) * c.v_y;
+        c.c_20 = c.eps * (k_46 + k_47);
+        c.c_21 = c.eps * (-k_46 - k_47);
         c.c_22 = Number(3) / Number(32) * c.eps;
         c.c_23 = Number(1) / Number(2);
-        w.k_48 = -Number(1) / Number(9760) * c.u_y - Number(11) / Number(9760) * c.v_y;
-        c.c_24 = c.eps * w.k_48;
-        w.k_49 = Number(11) / Number(9760) * c.u_y;
-        w.k_50 = Number(1) / Number(9760) * c.v_y;
-        c.c_25 = c.eps * (w.k_50 - w.k_49);
-        c.c_26 = c.eps * (w.k_49 - w.k_50);
+        const Number k_48 = -Number(1) / Number(9760) * c.u_y - Number(11) / Number(9760) * c.v_y;
+        c.c_24 = c.eps * k_48;
+        const Number k_49 = Number(11) / Number(9760) * c.u_y;
+        const Number k_50 = Number(1) / Number(9760) * c.v_y;
+        c.c_25 = c.eps * (k_50 - k_49);
+        c.c_26 = c.eps * (k_49 - k_50);
         c.c_27 = Number(1) / Number(64) * c.eps;
         c.c_28 = Number(3) / Number(64) * c.eps;
         c.c_29 = Number(1) / Number(4) * c.eps;
@@ -442,28 +343,28 @@ private:
         c.c_32 = Number(125) / Number(2501) * c.eps;
         c.c_33 = Number(125) / Number(5002) * c.eps;
         c.c_34 = Number(1225) / Number(5002) * c.eps;
-        w.k_51 = hypot(c.u_x, c.v_x);
-        w.k_52 = hypot(c.u_y, c.v_y);
-        w.k_53 = hypot(w.k_51, w.k_52);
+        const Number k_51 = hypot(c.u_x, c.v_x);
+        const Number k_52 = hypot(c.u_y, c.v_y);
+        const Number k_53 = hypot(k_51, k_52);
         c.c_35 = resonform::math::number<Number>({7.888609052210118e-31});
-        w.k_54 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
-        w.k_55 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
-        w.k_56 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
-        w.k_57 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
-        w.k_58 = w.k_51 * w.k_51;
-        w.k_59 = w.k_51 * w.k_52 * w.k_54 + w.k_51 * w.k_52 * w.k_55 + w.k_51 * w.k_52 * w.k_56 + w.k_51 * w.k_52 * w.k_57 + c.c_2 * (w.k_58 * w.k_51);
-        c.c_36 = w.k_53 + c.c_35 - Number(2) * c.eps * w.k_59;
+        const Number k_54 = hypot(Number(Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        const Number k_55 = hypot(Number(Number(3) / Number(244)), Number(Number(5) / Number(488)));
+        const Number k_56 = hypot(Number(-Number(1) / Number(80)), Number(Number(1) / Number(80)));
+        const Number k_57 = hypot(Number(-Number(1) / Number(82)), Number(Number(5) / Number(328)));
+        const Number k_58 = k_51 * k_51;
+        const Number k_59 = k_51 * k_52 * k_54 + k_51 * k_52 * k_55 + k_51 * k_52 * k_56 + k_51 * k_52 * k_57 + c.c_2 * (k_58 * k_51);
+        c.c_36 = k_53 + c.c_35 - Number(2) * c.eps * k_59;
         c.c_37 = hypot(Number(Number(5) / Number(41)), Number(-Number(25) / Number(164)));
         c.c_38 = hypot(Number(Number(1) / Number(4)), Number(-Number(1) / Number(4)));
         c.c_39 = hypot(Number(Number(15) / Number(122)), Number(-Number(25) / Number(244)));
-        w.k_60 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
-        w.k_61 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
-        w.k_62 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
-        w.k_63 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
-        w.k_64 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
-        w.k_65 = w.k_52 * w.k_60 * w.k_58 + w.k_52 * w.k_61 * w.k_58 + w.k_52 * w.k_62 * w.k_58 + w.k_52 * w.k_63 * w.k_58 + w.k_52 * w.k_64 * w.k_58;
-        w.k_66 = c.c_37 * w.k_58 + c.c_38 * w.k_58 + c.c_39 * w.k_58 + c.eps * w.k_65;
-        c.c_40 = w.k_53 + c.c_35 - Number(2) * c.eps * w.k_66;
+        const Number k_60 = hypot(Number(Number(1) / Number(11808)), Number(-Number(1) / Number(1312)));
+        const Number k_61 = hypot(Number(Number(1) / Number(40016)), Number(-Number(25) / Number(20008)));
+        const Number k_62 = hypot(Number(-Number(1) / Number(21472)), Number(-Number(1) / Number(1952)));
+        const Number k_63 = hypot(Number(Number(1) / Number(1952)), Number(-Number(11) / Number(1952)));
+        const Number k_64 = hypot(Number(Number(1) / Number(1312)), Number(Number(9) / Number(1312)));
+        const Number k_65 = k_52 * k_60 * k_58 + k_52 * k_61 * k_58 + k_52 * k_62 * k_58 + k_52 * k_63 * k_58 + k_52 * k_64 * k_58;
+        const Number k_66 = c.c_37 * k_58 + c.c_38 * k_58 + c.c_39 * k_58 + c.eps * k_65;
+        c.c_40 = k_53 + c.c_35 - Number(2) * c.eps * k_66;
         w.k_67 = c.eps * c.eps;
         w.k_68 = w.k_67 * w.k_67;
         w.k_69 = c.u_x * c.u_x;
@@ -473,47 +374,47 @@ private:
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_72 = Number(363459) / Number(2013605120) * c.u_y + Number(562041) / Number(2013605120) * c.v_y - Number(125) / Number(40016);
-        w.k_73 = Number(65) / Number(256) * w.k_70 + Number(350591175) / Number(251801320256LL) * c.v_y + Number(11127) / Number(80032) - Number(13348377) / Number(503602640512LL) * c.u_y;
-        w.k_74 = -Number(95004501) / Number(32333736323200LL) * c.u_y - Number(34999) / Number(160068001600LL) * c.v_y;
-        w.k_75 = c.v_y * c.v_y;
-        w.k_76 = c.u_x * (c.u_x * w.k_71 + c.v_x * w.k_72) + w.k_70 * w.k_73 + c.u_y * w.k_74 + Number(106924799) / Number(32333736323200LL) * w.k_75;
-        w.k_77 = Number(235193907) / Number(5036026405120LL) * c.u_y + Number(245712393) / Number(5036026405120LL) * c.v_y + Number(375) / Number(40016);
-        w.k_78 = Number(6945543) / Number(6466747264640LL) * c.u_y - Number(29247) / Number(32013600320LL) * c.v_y;
-        w.k_79 = w.k_70 * w.k_77 + c.u_y * w.k_78 + Number(734649) / Number(6466747264640LL) * w.k_75;
-        w.k_80 = c.c_3 * c.u_y;
-        w.k_81 = c.c_4 * c.v_y;
-        w.k_82 = c.eps * (c.u_x * w.k_76 + c.v_x * w.k_79) + c.u_x * (w.k_80 - c.c_1 * w.k_69 - c.c_2 * w.k_70 - w.k_81) + c.v_x * (c.c_5 * c.u_y + c.c_6 * c.v_y);
-        w.k_83 = Number(582031725) / Number(251801320256LL) * c.v_y - Number(89) / Number(256) * w.k_69 - Number(61) / Number(128) * w.k_70 - Number(249136575) / Number(503602640512LL) * c.u_y - Number(18477) / Number(80032);
-        w.k_84 = Number(5589351) / Number(402721024) * c.v_y - Number(5698971) / Number(402721024) * c.u_y - Number(875) / Number(40016);
-        w.k_85 = Number(119105625) / Number(251801320256LL) * c.v_y - Number(13) / Number(256) * w.k_70 - Number(4989315) / Number(503602640512LL) * c.u_y - Number(3777) / Number(80032);
-        w.k_86 = Number(894944499) / Number(32333736323200LL) * c.u_y + Number(115001) / Number(160068001600LL) * c.v_y;
-        w.k_87 = c.u_x * (c.u_x * w.k_83 + c.v_x * w.k_84) + w.k_70 * w.k_85 + c.u_y * w.k_86 - Number(115005001) / Number(32333736323200LL) * w.k_75;
-        w.k_88 = Number(44217339011LL) / Number(5036026405120LL) * c.v_y + Number(625) / Number(40016) - Number(34956922311LL) / Number(5036026405120LL) * c.u_y;
-        w.k_89 = -Number(372823951) / Number(6466747264640LL) * c.u_y - Number(4109349) / Number(32013600320LL) * c.v_y;
-        w.k_90 = w.k_69 * w.k_88 + c.u_y * w.k_89 + Number(412824951) / Number(6466747264640LL) * w.k_75;
-        w.k_91 = Number(15) / Number(32) * w.k_69 + Number(3) / Number(32) * w.k_70 + w.k_81 - w.k_80;
-        w.k_92 = Number(5051) / Number(100040) * c.u_y - Number(4951) / Number(100040) * c.v_y;
-        w.k_93 = c.eps * (c.v_x * w.k_87 + c.u_x * w.k_90) + c.v_x * w.k_91 + c.u_x * w.k_92;
-        w.k_94 = w.k_17 + c.eps * w.k_82;
-        w.k_95 = w.k_30 + c.eps * w.k_93;
-        c.c_41 = w.k_1 + w.k_2 + w.k_68 + w.k_67 * (w.k_82 * w.k_82) + w.k_67 * (w.k_93 * w.k_93) - Number(4) * (w.k_94 * w.k_94 + w.k_95 * w.k_95);
-        w.k_96 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
-        w.k_97 = c.u_x * w.k_96 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_70 - Number(75) / Number(20008) * c.v_y;
-        w.k_98 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_70;
-        w.k_99 = Number(241944651) / Number(251801320256LL) * w.k_70 + Number(25) / Number(20008) * c.v_y - Number(5101) / Number(3961584) * c.u_y;
-        w.k_100 = c.eps * (c.u_x * (c.u_x * w.k_97 + c.v_x * w.k_98) + w.k_70 * w.k_99);
-        w.k_101 = w.k_100 + c.u_x * (c.c_16 * c.u_x + c.c_17 * c.v_x) + c.c_18 * w.k_70;
-        w.k_102 = Number(38536260249LL) / Number(251801320256LL) * c.u_x - Number(227277925) / Number(62950330064LL) * c.v_x;
-        w.k_103 = c.u_x * w.k_102 + Number(5799) / Number(20128) * w.k_70 + Number(4799) / Number(3961584) * c.v_y - Number(13) / Number(10004) * c.u_y;
-        w.k_104 = Number(22922115) / Number(62950330064LL) * w.k_70 + Number(245) / Number(10004) * c.v_y - Number(235) / Number(990396) * c.u_y;
-        w.k_105 = Number(232235949) / Number(251801320256LL) * w.k_70 - Number(3) / Number(2501) * c.u_y - Number(4997) / Number(3961584) * c.v_y;
-        w.k_106 = c.eps * (c.u_x * (c.u_x * w.k_103 + c.v_x * w.k_104) + w.k_70 * w.k_105);
-        w.k_107 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
-        w.k_108 = w.k_106 + c.u_x * w.k_107 + Number(49) / Number(10004) * w.k_70;
-        w.k_109 = w.k_37 + c.eps * w.k_101;
-        w.k_110 = w.k_44 + c.eps * w.k_108 - w.y_0 - w.k_3 - w.k_4;
-        c.c_42 = w.k_9 + w.k_68 + w.y_0 * w.y_0 + w.k_67 * (w.k_101 * w.k_101) + w.k_67 * (w.k_108 * w.k_108) - Number(4) * (w.k_109 * w.k_109 + w.k_110 * w.k_110);
+        const Number k_72 = Number(363459) / Number(2013605120) * c.u_y + Number(562041) / Number(2013605120) * c.v_y - Number(125) / Number(40016);
+        const Number k_73 = Number(65) / Number(256) * w.k_70 + Number(350591175) / Number(251801320256LL) * c.v_y + Number(11127) / Number(80032) - Number(13348377) / Number(503602640512LL) * c.u_y;
+        const Number k_74 = -Number(95004501) / Number(32333736323200LL) * c.u_y - Number(34999) / Number(160068001600LL) * c.v_y;
+        const Number k_75 = c.v_y * c.v_y;
+        const Number k_76 = c.u_x * (c.u_x * w.k_71 + c.v_x * k_72) + w.k_70 * k_73 + c.u_y * k_74 + Number(106924799) / Number(32333736323200LL) * k_75;
+        const Number k_77 = Number(235193907) / Number(5036026405120LL) * c.u_y + Number(245712393) / Number(5036026405120LL) * c.v_y + Number(375) / Number(40016);
+        const Number k_78 = Number(6945543) / Number(6466747264640LL) * c.u_y - Number(29247) / Number(32013600320LL) * c.v_y;
+        const Number k_79 = w.k_70 * k_77 + c.u_y * k_78 + Number(734649) / Number(6466747264640LL) * k_75;
+        const Number k_80 = c.c_3 * c.u_y;
+        const Number k_81 = c.c_4 * c.v_y;
+        const Number k_82 = c.eps * (c.u_x * k_76 + c.v_x * k_79) + c.u_x * (k_80 - c.c_1 * w.k_69 - c.c_2 * w.k_70 - k_81) + c.v_x * (c.c_5 * c.u_y + c.c_6 * c.v_y);
+        const Number k_83 = Number(582031725) / Number(251801320256LL) * c.v_y - Number(89) / Number(256) * w.k_69 - Number(61) / Number(128) * w.k_70 - Number(249136575) / Number(503602640512LL) * c.u_y - Number(18477) / Number(80032);
+        const Number k_84 = Number(5589351) / Number(402721024) * c.v_y - Number(5698971) / Number(402721024) * c.u_y - Number(875) / Number(40016);
+        const Number k_85 = Number(119105625) / Number(251801320256LL) * c.v_y - Number(13) / Number(256) * w.k_70 - Number(4989315) / Number(503602640512LL) * c.u_y - Number(3777) / Number(80032);
+        const Number k_86 = Number(894944499) / Number(32333736323200LL) * c.u_y + Number(115001) / Number(160068001600LL) * c.v_y;
+        const Number k_87 = c.u_x * (c.u_x * k_83 + c.v_x * k_84) + w.k_70 * k_85 + c.u_y * k_86 - Number(115005001) / Number(32333736323200LL) * k_75;
+        const Number k_88 = Number(44217339011LL) / Number(5036026405120LL) * c.v_y + Number(625) / Number(40016) - Number(34956922311LL) / Number(5036026405120LL) * c.u_y;
+        const Number k_89 = -Number(372823951) / Number(6466747264640LL) * c.u_y - Number(4109349) / Number(32013600320LL) * c.v_y;
+        const Number k_90 = w.k_69 * k_88 + c.u_y * k_89 + Number(412824951) / Number(6466747264640LL) * k_75;
+        const Number k_91 = Number(15) / Number(32) * w.k_69 + Number(3) / Number(32) * w.k_70 + k_81 - k_80;
+        const Number k_92 = Number(5051) / Number(100040) * c.u_y - Number(4951) / Number(100040) * c.v_y;
+        const Number k_93 = c.eps * (c.v_x * k_87 + c.u_x * k_90) + c.v_x * k_91 + c.u_x * k_92;
+        const Number k_94 = w.k_17 + c.eps * k_82;
+        const Number k_95 = w.k_30 + c.eps * k_93;
+        c.c_41 = w.k_1 + w.k_2 + w.k_68 + w.k_67 * (k_82 * k_82) + w.k_67 * (k_93 * k_93) - Number(4) * (k_94 * k_94 + k_95 * k_95);
+        const Number k_96 = Number(488314625) / Number(15737582516LL) * c.v_x - Number(40261441049LL) / Number(251801320256LL) * c.u_x;
+        const Number k_97 = c.u_x * k_96 + Number(5299) / Number(3961584) * c.u_y - Number(5499) / Number(20128) * w.k_70 - Number(75) / Number(20008) * c.v_y;
+        const Number k_98 = Number(255) / Number(10004) * c.u_y + Number(755) / Number(990396) * c.v_y - Number(73390125) / Number(3934395629LL) * w.k_70;
+        const Number k_99 = Number(241944651) / Number(251801320256LL) * w.k_70 + Number(25) / Number(20008) * c.v_y - Number(5101) / Number(3961584) * c.u_y;
+        const Number k_100 = c.eps * (c.u_x * (c.u_x * k_97 + c.v_x * k_98) + w.k_70 * k_99);
+        const Number k_101 = k_100 + c.u_x * (c.c_16 * c.u_x + c.c_17 * c.v_x) + c.c_18 * w.k_70;
+        const Number k_102 = Number(38536260249LL) / Number(251801320256LL) * c.u_x - Number(227277925) / Number(62950330064LL) * c.v_x;
+        const Number k_103 = c.u_x * k_102 + Number(5799) / Number(20128) * w.k_70 + Number(4799) / Number(3961584) * c.v_y - Number(13) / Number(10004) * c.u_y;
+        const Number k_104 = Number(22922115) / Number(62950330064LL) * w.k_70 + Number(245) / Number(10004) * c.v_y - Number(235) / Number(990396) * c.u_y;
+        const Number k_105 = Number(232235949) / Number(251801320256LL) * w.k_70 - Number(3) / Number(2501) * c.u_y - Number(4997) / Number(3961584) * c.v_y;
+        const Number k_106 = c.eps * (c.u_x * (c.u_x * k_103 + c.v_x * k_104) + w.k_70 * k_105);
+        const Number k_107 = -Number(5051) / Number(10004) * c.u_x - Number(5) / Number(2501) * c.v_x;
+        const Number k_108 = k_106 + c.u_x * k_107 + Number(49) / Number(10004) * w.k_70;
+        const Number k_109 = w.k_37 + c.eps * k_101;
+        const Number k_110 = w.k_44 + c.eps * k_108 - w.y_0 - w.k_3 - w.k_4;
+        c.c_42 = w.k_9 + w.k_68 + w.y_0 * w.y_0 + w.k_67 * (k_101 * k_101) + w.k_67 * (k_108 * k_108) - Number(4) * (k_109 * k_109 + k_110 * k_110);
         c.c_43 = Number(9) / Number(16) * c.eps;
         c.c_44 = Number(2) * c.eps;
     }
@@ -601,6 +502,41 @@ private:
         }
     }
 
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_12 = Number(0);
+        c.c_13 = Number(1) / eps;
+        c.c_14 = Number(10) * c.c_13;
+        c.c_15 = -Number(10) * c.c_13;
+    }
+
+    // With all of them, if a step leaves the range of Number.
+    template <class Number> static Cause keep_phase_constants(
+            const Real& eps, const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_phase_constants(e, p, s, result); };
+        if (resonform::in_range<Number>(compute, c, eps, parameters, start)) return {};
+        if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
+            Constants<Number> all;
+            const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_12 = all.c_12;
+            c.c_13 = all.c_13;
+            c.c_14 = all.c_14;
+            c.c_15 = all.c_15;
+            return lost;
+        } else { // side by side
+            return {Status::overflow, ""};
+        }
+    }
+
     // The slow flow: du_x/dT, dv_x/dT
     template <class Number> static std::array<Number, 2> flow_rates(
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
@@ -630,20 +566,20 @@ private:
     }
 
     // dtheta_1/dT
-    template <class Number> static Number theta_1_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_1_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_13;
     }
 
     // dtheta_2/dT
-    template <class Number> static Number theta_2_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_2_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_14;
     }
 
     // dchi/dT
-    template <class Number> static Number chi_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number chi_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_15;
     }
 
@@ -808,12 +744,14 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return std::array<Real, 4>{c.c_36, c.c_40, c.c_41, c.c_42}; }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 3> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) lost = keep_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_12, known.c_12, known.c_12};
             }
@@ -890,7 +828,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_1_;

@@ -163,40 +163,40 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number u_x{};
-        Number c_1{};
-        Number eps{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number c_6{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number v_x{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
-        Number c_27{};
-        Number c_28{};
-        Number c_29{};
-        Number c_30{};
-        Number c_31{};
+        Number u_x;
+        Number c_1;
+        Number eps;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number c_6;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number v_x;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
+        Number c_27;
+        Number c_28;
+        Number c_29;
+        Number c_30;
+        Number c_31;
     };
 
     template <class Number> static void compute_constants(
@@ -238,6 +238,19 @@ private:
         c.c_29 = Number(25) / Number(3072) * k_1;
         c.c_30 = Number(25) / Number(6144) * k_1;
         c.c_31 = Number(5) / Number(16) * c.eps;
+    }
+
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number c_11;
+        Number c_12;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
+        const Number eps = Number(given_eps);
+        c.c_11 = Number(0);
+        c.c_12 = Number(1) / eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -330,8 +343,8 @@ private:
     }
 
     // dtheta/dT
-    template <class Number> static Number theta_rate(
-            const Constants<Number>& c, [[maybe_unused]] const Number& T) {
+    template <class Number, class Some> static Number theta_rate(
+            const Some& c, [[maybe_unused]] const Number& T) {
         return c.c_12;
     }
 
@@ -496,12 +509,14 @@ private:
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, row); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
         template <class Number> struct Angles {
-            Constants<Number> own; // if they are not in Real
+            PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
-                if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                if constexpr (!std::is_same_v<Number, Real>) {
+                    compute_phase_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.c_11};
             }
@@ -564,7 +579,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::FlowTable<std::array<Real, 2>> tables_0_;
     resonform::Phase<Real> theta_;

@@ -149,36 +149,36 @@ private:
 
     // What is computed once.
     template <class Number> struct Constants {
-        Number theta_0{};
-        Number u_0{};
-        Number c_1{};
-        Number c_2{};
-        Number c_3{};
-        Number c_4{};
-        Number c_5{};
-        Number C{};
-        Number c_6{};
-        Number eps{};
-        Number c_7{};
-        Number c_8{};
-        Number c_9{};
-        Number c_10{};
-        Number c_11{};
-        Number c_12{};
-        Number c_13{};
-        Number c_14{};
-        Number c_15{};
-        Number c_16{};
-        Number c_17{};
-        Number c_18{};
-        Number c_19{};
-        Number c_20{};
-        Number c_21{};
-        Number c_22{};
-        Number c_23{};
-        Number c_24{};
-        Number c_25{};
-        Number c_26{};
+        Number theta_0;
+        Number u_0;
+        Number c_1;
+        Number c_2;
+        Number c_3;
+        Number c_4;
+        Number c_5;
+        Number C;
+        Number c_6;
+        Number eps;
+        Number c_7;
+        Number c_8;
+        Number c_9;
+        Number c_10;
+        Number c_11;
+        Number c_12;
+        Number c_13;
+        Number c_14;
+        Number c_15;
+        Number c_16;
+        Number c_17;
+        Number c_18;
+        Number c_19;
+        Number c_20;
+        Number c_21;
+        Number c_22;
+        Number c_23;
+        Number c_24;
+        Number c_25;
+        Number c_26;
     };
 
     template <class Number> static void compute_constants(
@@ -216,6 +216,23 @@ private:
         c.c_24 = c.c_3 * c.c_7;
         c.c_25 = Number(1) / Number(128) * c.c_7;
         c.c_26 = Number(1) / Number(64) * c.c_7;
+    }
+
+    // Those that phases need in more digits than Real has.
+    template <class Number> struct PhaseConstants {
+        Number theta_0;
+        Number u_0;
+        Number c_1;
+        Number c_8;
+    };
+
+    template <class Number> static void compute_phase_constants(
+            const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
+        c.theta_0 = Number(start.theta_0);
+        c.u_0 = Number(start.u_0);
+        c.c_1 = Number(1) / Number(2);
+        const Number eps = Number(given_eps);
+        c.c_8 = Number(1) / eps;
     }
 
     // All > 0, or the solution does not start where its map is close to the identity.
@@ -539,23 +556,17 @@ private:
         static constexpr int samples = resonform::layer_samples;
         auto margins(const Real& T) const { return layers(c, T); }
         auto conditions() const { return start_conditions<Real>(eps, parameters, given); }
-        template <class Number> struct SomeConstants {
-            Number theta_0, u_0, c_1, c_8;
-        };
         template <class Number> struct Angles {
-            std::conditional_t<resonform::divides_rates<Number, Real>, SomeConstants<Number>, Constants<Number>> own; // if they are not in Real
+            std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, Constants<Number>> own; // if they are not in Real
             Cause lost;
             std::array<Number, 1> start;
 
             explicit Angles([[maybe_unused]] const Course& course) {
                 if constexpr (resonform::divides_rates<Number, Real>) {
-                    Constants<Number> all;
-                    compute_constants(course.eps, course.parameters, course.given, all);
-                    own.theta_0 = all.theta_0;
-                    own.u_0 = all.u_0;
-                    own.c_1 = all.c_1;
-                    own.c_8 = all.c_8;
-                } else if constexpr (!std::is_same_v<Number, Real>) compute_constants(course.eps, course.parameters, course.given, own);
+                    compute_phase_constants(course.eps, course.parameters, course.given, own);
+                } else if constexpr (!std::is_same_v<Number, Real>) {
+                    compute_constants(course.eps, course.parameters, course.given, own);
+                }
                 const auto& known = constants(course);
                 start = {known.theta_0};
             }
@@ -615,7 +626,7 @@ private:
         return {};
     }
 
-    Constants<Real> constants_;
+    Constants<Real> constants_{};
     Interval interval_;
     resonform::Phase<Real> theta_;
     Real eps_{};

@@ -331,7 +331,7 @@ std::string CppFrame::data_members() const {
         text += "    resonform::SharedTables shared_;\n";
     }
     return cpp_further_members(plan_, further_) +
-           "    Constants<Real> constants_;\n    Interval interval_;\n" + text + "    Cause cause_;\n";
+           "    Constants<Real> constants_{};\n    Interval interval_;\n" + text + "    Cause cause_;\n";
 }
 
 } // namespace

@@ -22,16 +22,20 @@ public:
 
     // What the conditions use is lowered before.
     std::string print() {
-        const std::string text = constants() + kept_constants() + start_conditions();
+        const std::string text = constants() + kept_constants() + phase_constants() + start_conditions();
         return differences() + text;
     }
 
 private:
     void know_arguments(CppFunction& function);
+    static std::string from_arguments(const CppFunction& function, const std::string& result,
+                                      const std::string& name, const std::string& target,
+                                      const std::vector<std::string>& last = {});
     [[nodiscard]] std::string differences() const;
     std::string constants();
     std::string kept_constants() const;
     std::vector<std::string> kept_lines() const;
+    std::string phase_constants();
     std::string start_conditions();
 
     const Program& program_;
@@ -46,6 +50,21 @@ void CppConstants::know_arguments(CppFunction& function) {
     for (std::size_t k = 0; k < program_.start.size(); ++k)
         function.define(plan_.code.lower(program_.start[k].symbol), program_.start[k].name,
                         "Number(start." + plan_.start[k] + ")");
+}
+
+// `result name(arguments, target c)`, without a c if there is no target.
+std::string CppConstants::from_arguments(const CppFunction& function, const std::string& result,
+                                         const std::string& name, const std::string& target,
+                                         const std::vector<std::string>& last) {
+    CppFunction::Frame frame{
+        "template <class Number> static",
+        result,
+        name,
+        {{"const Real&", "given_eps"}, {"const Parameters&", "parameters"}, {"const Start&", "start"}},
+        {},
+        last};
+    if (!target.empty()) frame.parameters.emplace_back(target, "c");
+    return function.print(frame) + "\n";
 }
 
 // Differences of start values and where a state rests, in the type that is asked for.
@@ -85,28 +104,18 @@ std::string CppConstants::constants() {
     for (const auto& [value, name] : plan_.members) {
         roots.push_back(value);
         if (std::binary_search(plan_.listed.begin(), plan_.listed.end(), value)) continue;
-        text += fmt::format("        Number {}{{}};\n", name);
+        text += fmt::format("        Number {};\n", name);
         function.assign(value, "c." + name);
     }
     if (plan_.walks_constants()) {
-        text += fmt::format("        std::array<Number, {}> {}{{}};\n", plan_.listed.size(), plan_.list_name);
+        text += fmt::format("        std::array<Number, {}> {};\n", plan_.listed.size(), plan_.list_name);
         function.assign(plan_.listed, fmt::format("c.{}", plan_.list_name));
         if (plan_.lies == nullptr) function.walk(); // lies are planted in statements
     }
     function.compute(roots, true);
     for (const CppCallable& callable : plan_.callables)
         function.begin_with("c." + callable.name, "parameters." + callable.name);
-    return text + "    };\n\n" +
-           function.print({"template <class Number> static",
-                           "void",
-                           "compute_constants",
-                           {{"const Real&", "given_eps"},
-                            {"const Parameters&", "parameters"},
-                            {"const Start&", "start"},
-                            {"Constants<Number>&", "c"}},
-                           {},
-                           {}}) +
-           "\n";
+    return text + "    };\n\n" + from_arguments(function, "void", "compute_constants", "Constants<Number>&");
 }
 
 // One a constant; elements of the array that are named alike have one together.
@@ -163,6 +172,26 @@ std::string CppConstants::kept_constants() const {
            std::string(frames::keep_constants);
 }
 
+// Those of them that phases read in more digits than Real has.
+std::string CppConstants::phase_constants() {
+    if (plan_.phase_constants.empty()) return "";
+    CppFunction function(plan_.code, "Number", "k", plan_.lies);
+    know_arguments(function);
+    std::string fields, copies;
+    for (const Value v : plan_.phase_constants) {
+        const std::string& name = plan_.members.at(v);
+        fields += fmt::format("        Number {};\n", name);
+        copies += fmt::format("            c.{0} = all.{0};\n", name);
+        function.assign(v, "c." + name);
+    }
+    function.compute(plan_.phase_constants, true);
+    return "    // Those that phases need in more digits than Real has.\n"
+           "    template <class Number> struct PhaseConstants {\n" +
+           fields + "    };\n\n" +
+           from_arguments(function, "void", "compute_phase_constants", "PhaseConstants<Number>&") +
+           (plan_.range.native ? "" : filled(frames::keep_phase_constants, {{"copies", copies}}));
+}
+
 // Conditions on the start: products of many arguments, of which only the sign matters.
 std::string CppConstants::start_conditions() {
     if (!plan_.conditions_apart) return "";
@@ -176,15 +205,8 @@ std::string CppConstants::start_conditions() {
     std::vector<std::string> texts;
     for (const Value condition : conditions) texts.push_back("Number(" + function.text(condition) + ")");
     return "    // All > 0, or the solution does not start where its map is close to the identity.\n" +
-           function.print({"template <class Number> static",
-                           fmt::format("std::array<Number, {}>", texts.size()),
-                           "start_conditions",
-                           {{"const Real&", "given_eps"},
-                            {"const Parameters&", "parameters"},
-                            {"const Start&", "start"}},
-                           {},
-                           {fmt::format("return {{{}}};", fmt::join(texts, ", "))}}) +
-           "\n";
+           from_arguments(function, fmt::format("std::array<Number, {}>", texts.size()), "start_conditions",
+                          "", {fmt::format("return {{{}}};", fmt::join(texts, ", "))});
 }
 
 } // namespace

@@ -30,8 +30,8 @@ private:
     [[nodiscard]] std::string conditions() const;
     [[nodiscard]] std::string phase_rates() const;
     [[nodiscard]] std::string divided_rates() const;
-    [[nodiscard]] std::vector<std::string> read_by_phases() const;
     [[nodiscard]] std::string constants() const;
+    [[nodiscard]] std::string own_constants() const;
     [[nodiscard]] std::string arguments() const;
 
     const Program& program_;
@@ -106,40 +106,31 @@ std::string CppCourse::divided_rates() const {
                                           {"small", fmt::format("{}", fmt::join(small, ", "))}});
 }
 
-// The members of the constants that phases read whose rates are all divided, if it is worth while to keep no
-// others.
-std::vector<std::string> CppCourse::read_by_phases() const {
-    if (!plan_.range.native || !plan_.divides_rates(true) || plan_.walks_constants() ||
-        !program_.data.empty())
-        return {};
-    std::vector<StraightLine::Value> read = plan_.phase_starts;
-    for (const auto& rate : plan_.divided_rates) read.push_back(rate->main);
-    std::vector<std::string> names;
-    for (const StraightLine::Value v : plan_.code.behind_doubled(read, false))
-        if (const auto member = plan_.members.find(v); member != plan_.members.end())
-            names.push_back(member->second);
-    return names;
-}
-
-// Of the phases, in Number. What is not kept is not computed.
+// Of the phases, in Number.
 std::string CppCourse::constants() const {
     if (program_.phases.empty() && program_.data.empty()) return "";
-    const std::string call = plan_.range.native
-                                 ? "compute_constants(course.eps, course.parameters, course.given, own)"
-                                 : "lost = keep_constants(course.eps, course.parameters, course.given, own)";
-    std::string some, otherwise = "                ";
-    for (const std::string& name : read_by_phases())
-        some += fmt::format("                    own.{0} = all.{0};\n", name);
-    if (!some.empty()) {
-        some = "                if constexpr (resonform::divides_rates<Number, Real>) {\n"
-               "                    Constants<Number> all;\n"
-               "                    compute_constants(course.eps, course.parameters, course.given, all);\n" +
-               some;
-        otherwise = "                } else ";
-    }
-    return fmt::format("{}{}if constexpr (!std::is_same_v<Number, Real>) {};\n"
-                       "                const auto& known = constants(course);\n",
-                       some, otherwise, call);
+    const auto compute = [this](const std::string& which) {
+        return fmt::format("{}_{}(course.eps, course.parameters, course.given, own)",
+                           plan_.range.native ? "compute" : "lost = keep", which);
+    };
+    std::string text = "                ";
+    if (!plan_.phase_constants.empty() && plan_.divides_rates(true))
+        text += fmt::format("if constexpr (resonform::divides_rates<Number, Real>) {{\n"
+                            "                    {};\n                }} else ",
+                            compute("phase_constants"));
+    const bool some = !plan_.phase_constants.empty() && !plan_.divides_rates(true);
+    return text + fmt::format("if constexpr (!std::is_same_v<Number, Real>) {{\n"
+                              "                    {};\n                }}\n"
+                              "                const auto& known = constants(course);\n",
+                              compute(some ? "phase_constants" : "constants"));
+}
+
+// The type of the constants that are not in Real.
+std::string CppCourse::own_constants() const {
+    if (plan_.phase_constants.empty()) return "Constants<Number>";
+    if (!plan_.divides_rates(true)) return "PhaseConstants<Number>";
+    return "std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, "
+           "Constants<Number>>";
 }
 
 std::string CppCourse::arguments() const {
@@ -170,7 +161,6 @@ std::string CppCourse::print() const {
     const bool steady = levels.empty() && program_.data.empty() &&
                         std::none_of(plan_.phase_rates.begin(), plan_.phase_rates.end(),
                                      [this](StraightLine::Value v) { return plan_.code.at(v).varying; });
-    const std::vector<std::string> some = read_by_phases();
     const bool no_data = program_.data.empty(), no_callables = plan_.callables.empty();
     return filled(
         frames::course,
@@ -189,13 +179,7 @@ std::string CppCourse::print() const {
          {"margins", margins()},
          {"conditions", conditions()},
          {"packs", program_.flow.empty() && none_decays && no_data && no_callables ? "true" : "false"},
-         {"some", some.empty() ? ""
-                               : fmt::format("        template <class Number> struct SomeConstants {{\n"
-                                             "            Number {};\n        }};\n",
-                                             fmt::join(some, ", "))},
-         {"own", some.empty() ? "Constants<Number>"
-                              : "std::conditional_t<resonform::divides_rates<Number, Real>, "
-                                "SomeConstants<Number>, Constants<Number>>"},
+         {"own", own_constants()},
          {"constants", constants()},
          {"edges", no_data ? "" : "            decltype(Evaluator::edges(own)) edges;\n"},
          {"find_edges", no_data ? "" : "                edges = Evaluator::edges(known);\n"},

@@ -42,6 +42,30 @@ bool mentions(const std::string& text, const std::string& name) {
     return false;
 }
 
+// Calls visit(begin, end) for each quantity w.NAME of a function in pieces that a text mentions: the text
+// from begin to end is its NAME.
+template <class Visit> void each_quantity(const std::string& text, const Visit& visit) {
+    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    for (std::size_t at = text.find("w."); at != std::string::npos; at = text.find("w.", at + 2)) {
+        if (at > 0 && (in_word(text[at - 1]) || text[at - 1] == '.')) continue;
+        std::size_t end = at + 2;
+        while (end < text.size() && in_word(text[end])) ++end;
+        visit(at + 2, end);
+    }
+}
+
+// The same text with quantities by their names alone, but those that are passed on.
+std::string with_locals(const std::string& text, const std::set<std::string>& passed_on) {
+    std::string result;
+    std::size_t done = 0;
+    each_quantity(text, [&](std::size_t begin, std::size_t end) {
+        if (passed_on.count(text.substr(begin, end - begin)) != 0) return;
+        result += text.substr(done, begin - 2 - done);
+        done = begin;
+    });
+    return result + text.substr(done);
+}
+
 // One function of a class: its head, on two lines if need be, and its body.
 std::string function_text(const std::string& head, const Parameters& parameters, const std::string& body) {
     std::vector<std::string> list;
@@ -268,14 +292,39 @@ CppFunction::Text CppFunction::expression(Value v) const {
     }
 }
 
-std::string CppFunction::statement_lines(std::size_t begin, std::size_t end) const {
+// Of a function in pieces: with what a piece has to itself as its locals.
+std::string CppFunction::statement_lines(std::size_t begin, std::size_t end,
+                                         const std::set<std::string>& passed_on) const {
     std::string text;
     for (std::size_t k = begin; k < end; ++k) {
         const Statement& s = statements_[k];
-        text += s.declared ? fmt::format("        const {} {} = {};\n", type_, s.target, s.expression)
-                           : fmt::format("        {} = {};\n", s.target, s.expression);
+        const std::string target = with_locals(s.target, passed_on);
+        text += fmt::format("        {}{} = {};\n",
+                            s.declared || target.size() < s.target.size() ? "const " + type_ + " " : "",
+                            target, with_locals(s.expression, passed_on));
     }
     return text;
+}
+
+// The quantities that other pieces need, or the lines behind all pieces; none may be called as the struct is.
+std::set<std::string> CppFunction::passed_on(const std::vector<std::string>& last) const {
+    std::set<std::string> names{"w"};
+    std::map<std::string, std::size_t> piece_of;
+    for (std::size_t k = 0; k < statements_.size(); ++k) {
+        const auto note = [&](const std::string& text) {
+            each_quantity(text, [&](std::size_t begin, std::size_t end) {
+                const std::string name = text.substr(begin, end - begin);
+                if (piece_of.emplace(name, k / longest_piece).first->second != k / longest_piece)
+                    names.insert(name);
+            });
+        };
+        note(statements_[k].target);
+        note(statements_[k].expression);
+    }
+    for (const std::string& line : last)
+        each_quantity(
+            line, [&](std::size_t begin, std::size_t end) { names.insert(line.substr(begin, end - begin)); });
+    return names;
 }
 
 std::string CppFunction::print(const Frame& frame) const {
@@ -285,7 +334,7 @@ std::string CppFunction::print(const Frame& frame) const {
         for (const std::string& line : all) text += "        " + line + "\n";
         return text;
     };
-    std::string before, body = statement_lines(0, statements_.size());
+    std::string before, body = statement_lines(0, statements_.size(), {});
     if (walk_) {
         before = fmt::format(
             "    static constexpr std::array<resonform::Ratio, {}> {}_numbers{{{{\n{}    }}}};\n\n",
@@ -297,12 +346,14 @@ std::string CppFunction::print(const Frame& frame) const {
         const std::string work = frame.name + "_quantities" + (is_template ? "<Number>" : "");
         Parameters parameters = frame.parameters;
         parameters.emplace_back(work + "&", "w");
-        before = quantities(frame.name + "_quantities", is_template);
+        const std::set<std::string> shared = passed_on(frame.last);
+        before = quantities(frame.name + "_quantities", is_template, shared);
         body = fmt::format("        {} w;\n", work);
         std::size_t piece = 0;
         for (std::size_t k = 0; k < statements_.size(); k += longest_piece) {
             const std::string name = fmt::format("{}_{}", frame.name, ++piece);
-            const std::string part = statement_lines(k, std::min(k + longest_piece, statements_.size()));
+            const std::string part =
+                statement_lines(k, std::min(k + longest_piece, statements_.size()), shared);
             before +=
                 function_text(frame.head + " void " + name, parameters, lines(frame.first) + part) + "\n";
             body += fmt::format("        {}({});\n", name, names_of(parameters));
@@ -331,12 +382,13 @@ std::string CppFunction::walk_lines(const std::string& function) const {
 }
 
 // The struct of the quantities that the pieces of a long function pass on.
-std::string CppFunction::quantities(const std::string& name, bool is_template) const {
+std::string CppFunction::quantities(const std::string& name, bool is_template,
+                                    const std::set<std::string>& passed_on) const {
     std::string text =
         fmt::format("    {}struct {} {{\n", is_template ? "template <class Number> " : "", name);
     for (const Statement& s : statements_)
-        if (s.target.rfind("w.", 0) == 0)
-            text += fmt::format("        {} {}{{}};\n", type_, s.target.substr(2));
+        if (s.target.rfind("w.", 0) == 0 && passed_on.count(s.target.substr(2)) != 0)
+            text += fmt::format("        {} {};\n", type_, s.target.substr(2));
     return text + "    };\n\n";
 }
 

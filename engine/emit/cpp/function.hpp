@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,9 +91,12 @@ private:
     [[nodiscard]] bool is_coefficient(StraightLine::Value v) const;
     [[nodiscard]] bool begins_with_number(StraightLine::Value v) const;
     [[nodiscard]] std::string planted(const std::string& text) const;
-    [[nodiscard]] std::string statement_lines(std::size_t begin, std::size_t end) const;
+    [[nodiscard]] std::string statement_lines(std::size_t begin, std::size_t end,
+                                              const std::set<std::string>& passed_on) const;
+    [[nodiscard]] std::set<std::string> passed_on(const std::vector<std::string>& last) const;
     [[nodiscard]] std::string walk_lines(const std::string& function) const;
-    [[nodiscard]] std::string quantities(const std::string& name, bool is_template) const;
+    [[nodiscard]] std::string quantities(const std::string& name, bool is_template,
+                                         const std::set<std::string>& passed_on) const;
 
     const StraightLine* code_;
     std::string type_, prefix_;

@@ -32,6 +32,7 @@ CppPlan::CppPlan(const Program& p, const std::vector<CppCallable>& beside) : pro
         find_ranges();
     }
     name_kept();
+    find_phase_constants();
 }
 
 // Of the results, which have been lowered, and of the start.
@@ -354,6 +355,18 @@ void CppPlan::name_kept() {
         if (!known && !in.empty() && in != member->second) called.append(" in ").append(in);
         kept.emplace_back(v, std::move(called));
     }
+}
+
+void CppPlan::find_phase_constants() {
+    if (program->phases.empty() || walks_constants() || !program->data.empty() || !callables.empty()) return;
+    std::vector<Value> read = phase_starts, all, some;
+    for (std::size_t k = 0; k < phase_rates.size(); ++k)
+        read.push_back(divides_rates(true) ? divided_rates[k]->main : phase_rates[k]);
+    for (const auto& member : members) all.push_back(member.first);
+    for (const Value v : code.behind_doubled(read, false))
+        if (members.count(v) != 0) some.push_back(v);
+    const bool much_less = 2 * code.behind(some, true).size() < code.behind(all, true).size();
+    if (much_less) phase_constants = some;
 }
 
 std::vector<std::string> CppPlan::output_arrays() const {

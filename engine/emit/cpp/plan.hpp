@@ -91,6 +91,9 @@ struct CppPlan {
     // The constant conditions are no members: these are native, and they would not be.
     bool conditions_apart = false;
     [[nodiscard]] bool uses_scaled() const { return !range.native || !native_defaults || conditions_apart; }
+    // Members that phases read at a final point in more digits than Real has, main parts of their rates where
+    // all are divided, if to compute these alone is much less. Ascending.
+    std::vector<StraightLine::Value> phase_constants;
     // Members that must lie within the range of the real type, with the text that an evaluator reports if one
     // does not: "C_delta", "c_12 in psi_3". The others are conditions, of which only the sign matters.
     std::vector<std::pair<StraightLine::Value, std::string>> kept;
@@ -130,6 +133,7 @@ private:
     [[nodiscard]] bool is_long(const std::vector<StraightLine::Value>& constants) const;
     void find_ranges();
     void name_kept();
+    void find_phase_constants();
     void find_callables(const std::vector<CppCallable>& beside);
     [[nodiscard]] CppNames names_beside_callables() const;
     [[nodiscard]] std::vector<StraightLine::Value> roots() const;

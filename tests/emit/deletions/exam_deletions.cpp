@@ -45,11 +45,11 @@ std::string listed(const std::vector<std::string>& names, const std::string& typ
     return text;
 }
 
-// What a statement sets is another number without it, not the 0 that it may set; and the probe decides
-// whether constants are in range.
+// What a statement sets is another number without it, not whatever lies there, which may be the same; and the
+// probe decides whether constants are in range.
 std::string for_probe(const std::string& header) {
     std::string once =
-        std::regex_replace(header, std::regex(R"((\n        Number \w+)\{\};)"), "$1{Number(1.25)};");
+        std::regex_replace(header, std::regex(R"((\n        Number \w+);)"), "$1{Number(1.25)};");
     once = std::regex_replace(once, std::regex(R"(std::array<(\w+), (\d+)> start;)"),
                               "std::array<$1, $2> start = probe::filled<$1, $2>();");
     once = std::regex_replace(once, std::regex(R"(resonform::in_range<)"), "probe::in_range<");
@@ -99,6 +99,8 @@ const std::vector<Spared>& spared() {
         {"crossing_rates/through_one_rate", "if (!(from.c_5 > From(0)))", "the condition 2*s implies it"},
         {"crossing_rates/through_one_rate", "if (fits) return {};",
          "saves constants in numbers of any range"},
+        {"crossing_rates/through_one_rate", "if (probe::in_range<Number>(compute,",
+         "saves the constants that phases do not read"},
         {"almost_holonomic_pendulum/third_order", "if (probe::in_range<Real>(hold,",
          "saves the conditions in numbers of any range"},
         {"almost_holonomic_pendulum/third_order", R"(if (!(holds[0] > resonform::Scaled<Real>(0))))",
