@@ -5,6 +5,7 @@
 #ifndef RESONFORM_RUNTIME_ENSEMBLE
 #define RESONFORM_RUNTIME_ENSEMBLE
 
+#include "runtime/decay.hpp"
 #include "runtime/final_sums.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/pack.hpp"
@@ -21,14 +22,14 @@ namespace resonform {
 // A phase up to this, in radians, is good to 4e-13 in double; one up to that keeps its digits in two of them.
 inline constexpr double plain_radians = 1000, packed_radians = 1e6;
 
-// Columns, cosines and sines at the end of [0, T] for several members.
+// Columns, cosines and sines of phases and powers of e at the end of [0, T] for several members.
 template <class Course> class PackedEnd {
 public:
     using Pack = kernel::Pack;
     using PackPair = kernel::PackPair;
     using Mask = kernel::Mask;
     std::array<Pack, Course::columns> tables{};
-    std::array<Pack, Course::angles> cosine{}, sine{};
+    std::array<Pack, Course::angles> cosine{}, sine{}, power{};
     bool in_range = true; // false: the constants of some member left the range of a double
 
     PackedEnd(const Course& course, const Pack& eps, const Pack& t) : course_(course), eps_(eps), t_(t) {}
@@ -60,18 +61,37 @@ private:
             in_range = false;
             return done;
         }
+        if constexpr (Course::angles > 0)
+            open = open &
+                   (FinalSums<Pack, Course, Number, nodes>(course_, turning).first_turn(end) < Pack(most));
         for (int parts = 1; parts <= 8 && open.any(); parts *= 2) {
             FinalSums<Pack, Course, Number, nodes> sums(course_, turning);
             const Mask resolved = open & sums.integrate_evenly(end, parts);
             Mask now = resolved;
             for (std::size_t k = 0; k < Course::angles; ++k)
-                now = now & (turn(turning.start[k] + sums.angles()[k], now, cosine[k], sine[k]) < Pack(most));
+                if (Course::decays[k])
+                    power[k] = select(
+                        resolved, exponential<Pack>(Number(turning.start[k] + sums.angles()[k])), power[k]);
+            for (std::size_t k = 0; k < Course::angles; ++k) {
+                if (Course::decays[k]) continue;
+                const Pack size = turn(turning.start[k] + sums.angles()[k], resolved, cosine[k], sine[k]);
+                now = now & (is_gone(k) | (size < Pack(most)));
+            }
             for (std::size_t k = 0; k < Course::columns; ++k)
                 tables[k] = select(now, sums.tables()[k], tables[k]);
             done = done | now;
             open = open & ~resolved;
         }
         return done;
+    }
+
+    // Whether everything has decayed that turns with a phase, as of one final point.
+    [[nodiscard]] Mask is_gone(std::size_t phase) const {
+        const unsigned long long with = Course::fades[phase];
+        Mask gone = with == 0 ? Pack(1) < Pack(0) : Pack(0) < Pack(1);
+        for (std::size_t k = 0; k < Course::angles; ++k)
+            if (((with >> k) & 1U) != 0) gone = gone & (power[k] < Pack(math::epsilon<double>() / 256));
+        return gone;
     }
 
     // Sets cosine and sine of `members`; returns |theta|.

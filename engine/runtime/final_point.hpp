@@ -92,11 +92,11 @@ private:
     template <class Number> Status integrate(const Number& end) {
         const typename Course::template Angles<Number> turning(course_);
         if (turning.lost.status != Status::ok) return turning.lost.status;
+        FinalSums<Real, Course, Number> sums(course_, turning);
         if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
-            too_long_ = is_too_long(first_rates(turning), end);
+            too_long_ = Real(quick_radians) < sums.first_turn(end); // before anything is integrated
             if (too_long_) return Status::ok;
         }
-        FinalSums<Real, Course, Number> sums(course_, turning);
         if (const Status status = sums.integrate(end); status != Status::ok) return status;
         if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
             too_long_ = !sums.turns_little();
@@ -124,24 +124,6 @@ private:
             turn(theta, cosine[k], sine[k]);
         }
         return beyond_ == Status::ok ? status : beyond_;
-    }
-
-    template <class Turning> [[nodiscard]] auto first_rates(const Turning& turning) const {
-        using Number = typename std::remove_cvref_t<decltype(turning.start)>::value_type;
-        if constexpr (requires { turning.small(course_, Real(0)); })
-            return turning.main(course_, Number(0), course_.start());
-        else
-            return turning(course_, Number(0), course_.start());
-    }
-
-    // Whether a phase would turn too far at its first rate, before anything is integrated.
-    template <class Number>
-    static bool is_too_long(const std::array<Number, Course::angles>& rate, const Number& end) {
-        for (std::size_t k = 0; k < Course::angles; ++k)
-            if (!Course::decays[k] &&
-                Real(quick_radians) < math::magnitude(static_cast<Real>(Number(rate[k] * end))))
-                return true;
-        return false;
     }
 
     // Whether everything has decayed that turns with a phase.

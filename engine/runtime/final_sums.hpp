@@ -4,10 +4,11 @@
 // All integrands are evaluated at the same Gauss nodes of [0, end]; where the last coefficients of their
 // Legendre series do not decay, the interval is halved, as often as the tables of an evaluator would. n nodes
 // show n coefficients and integrate 2n of them exactly, so the last one shown need not be as small as the
-// error. A slow flow is the fixed point of y = y(left) + int f(T, y) dT at the nodes, as in runtime/flow.hpp.
+// error. A slow flow is a fixed point (runtime/flow_panel.hpp).
 #ifndef RESONFORM_RUNTIME_FINAL_SUMS
 #define RESONFORM_RUNTIME_FINAL_SUMS
 
+#include "runtime/flow_panel.hpp"
 #include "runtime/gauss.hpp"
 #include "runtime/layer.hpp"
 #include "runtime/pieces.hpp"
@@ -82,6 +83,20 @@ public:
     // Whether what Real sums turns by so little that the digits of Real suffice.
     [[nodiscard]] auto turns_little() const { return largest_small_ * right_ < Real(0.25); }
 
+    // How far a phase that lasts turns at its first rate, in radians: the farthest of them.
+    [[nodiscard]] Real first_turn(const Number& end) const {
+        std::array<Number, phases> rate;
+        if constexpr (divides)
+            rate = turning_.main(course_, Number(0), tables_);
+        else
+            rate = turning_(course_, Number(0), tables_);
+        Real farthest = Real(0);
+        for (std::size_t k = 0; k < phases; ++k)
+            if (!Course::decays[k] && Course::fades[k] == 0)
+                farthest = math::larger(farthest, Real(math::magnitude(narrow(Number(rate[k] * end)))));
+        return farthest;
+    }
+
     // Status as fit_panels: overflow, outside_domain; that of a flow, or where margins are in doubt, says no
     // more than that there is no result.
     Status integrate(const Number& end) {
@@ -127,8 +142,7 @@ public:
         return Status::ok;
     }
 
-    // For numbers that are several side by side: in equal parts; where the integrals are resolved. Not for
-    // flows.
+    // For numbers that are several side by side: in equal parts; where the integrals are resolved.
     auto integrate_evenly(const Number& end, int parts) {
         Number left = Number(0);
         Real worst = Real(0);
@@ -140,7 +154,7 @@ public:
             add();
             left = right;
         }
-        auto resolved = ~(worst > Real(1));
+        auto resolved = clear_ & ~(worst > Real(1));
         if constexpr (divides) resolved = resolved & turns_little();
         for (const Real& table : tables_) resolved = resolved & (table - table == Real(0));
         for (const Number& angle : angles_) resolved = resolved & (narrow(angle - angle) == Real(0));
@@ -151,10 +165,10 @@ private:
     // An evaluator has more patience with a flow.
     static constexpr std::size_t most_halvings = Course::flow ? 12 : 100,
                                  most_panels = Course::flow ? 128 : 2048;
-    static constexpr int most_iterations = 100;
     // Of phases in the wide type the series is judged in it, too; otherwise Real sees enough.
     static constexpr bool wide = std::is_same_v<Number, WideNumber<Real>>;
-    static constexpr bool several = !std::is_same_v<typename OneOf<Real>::type, Real>;
+    using Lanes = LanesOf<Real>;
+    static constexpr bool several = Lanes::several;
     using Seen = std::conditional_t<wide && !several, Number, Real>;
     using AngleSums = std::array<GaussSum<Number, Seen, n>, phases>;
     // No rate needs an integral. All are evaluated in one loop, so that the compiler computes common
@@ -231,7 +245,7 @@ private:
             panel_sizes_[from + k] = half * Real(2) * sum.size;
             Real scale = math::larger(sum.size, Real(sizes_[from + k] / right_));
             if (Course::flow && Level == 0)
-                scale = std::max(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
+                scale = math::larger(scale, Real(math::magnitude(tables_[k]) / (half * Real(2))));
             judge(sum.end(), scale,
                   Course::nested ? Real(Real(16) * math::epsilon<Real>())
                                  : square_enough<Real>(math::epsilon<Real>()));
@@ -246,34 +260,13 @@ private:
 
     // Level 0 on the panel: its columns at the nodes, and their rates.
     template <std::size_t count> Status flow(std::array<std::array<Real, n>, count>& rate) {
-        const Real half = narrow(half_), ulp = math::epsilon<Real>();
-        for (Columns& at_node : at_node_) std::copy_n(tables_.begin(), count, at_node.begin());
-        Real change = Real(-1);
-        for (int i = 0; i < most_iterations; ++i) {
-            for (std::size_t j = 0; j < n; ++j) {
-                const std::array<Real, count> value =
-                    course_.rates(std::integral_constant<std::size_t, 0>(), T_[j], at_node_[j]);
-                for (std::size_t k = 0; k < count; ++k) rate[k][j] = value[k];
-            }
-            const Real before = std::exchange(change, Real(0));
-            for (std::size_t k = 0; k < count; ++k) {
-                Real moved = Real(0), size = math::magnitude(tables_[k]);
-                const std::array<Real, n> integral = gauss_.integrals(rate[k]);
-                for (std::size_t j = 0; j < n; ++j) {
-                    if (!math::finite(integral[j])) return fault<Real>(rate[k]);
-                    const Real next = tables_[k] + half * integral[j];
-                    size = std::max(size, Real(math::magnitude(next)));
-                    moved = std::max(moved, Real(math::magnitude(Real(next - at_node_[j][k]))));
-                    at_node_[j][k] = next;
-                }
-                if (Real(0) < moved) change = std::max(change, Real(moved / (size * ulp)));
-            }
-            // Either nothing changes any more, or only the last digits do.
-            const bool stalls = Real(0) < before && !(change < before);
-            if (change <= Real(2) || (stalls && change <= Real(64))) return Status::ok;
-            if (stalls && i > 12) break;
-        }
-        return Status::outside_domain; // it does not contract
+        FlowPanel<Real, n, count, Columns> panel{gauss_, narrow(half_), tables_, at_node_, rate};
+        const auto rates = [this](std::size_t j) {
+            return course_.rates(std::integral_constant<std::size_t, 0>(), T_[j], at_node_[j]);
+        };
+        const Status status = panel.contract(rates);
+        if constexpr (several) clear_ = clear_ & panel.converged;
+        return status;
     }
 
     // Margins along the flow.
@@ -284,12 +277,14 @@ private:
             const auto value = course_.margins(T_[j], at_node_[j]);
             for (std::size_t k = 0; k < value.size(); ++k) margin[k][j] = value[k];
         }
+        auto clear = Lanes::all();
         for (const std::array<Real, n>& values : margin) {
             GaussSum<Real, Real, n> sum{gauss_, gauss_};
             for (std::size_t j = 0; j < n; ++j) sum.add(j, values[j]);
-            if (!clearly_positive(values, Real(Real(64) * sum.end()))) return Status::outside_domain;
+            clear = clear & clearly_positive(values, Real(Real(64) * sum.end()));
         }
-        return Status::ok;
+        if constexpr (several) clear_ = clear_ & clear;
+        return Lanes::any(clear) ? Status::ok : Status::outside_domain;
     }
 
     [[nodiscard]] std::array<Number, phases> rates_at(std::size_t j) const {
@@ -384,6 +379,8 @@ private:
     const Turning& turning_;
     Number middle_{}, half_{};
     Real right_{}, rest_{}, largest_small_{};
+    // Where several are integrated: no margin is in doubt, and the flow contracts.
+    typename Lanes::Truth clear_ = Lanes::all();
     std::array<Real, n> T_;
     std::array<Columns, n> at_node_{};
     Columns tables_, sizes_{}, panel_{}, panel_sizes_{};

@@ -114,13 +114,14 @@ Cause clear_of_layers(const Margins& margins, const Names& names, Real& reach, i
 
 // Whether a smooth function with these values at the nodes of an interpolation is > 0 between them too,
 // beyond doubt: each value is larger than its steps to its neighbours and than `unseen`. False says nothing.
-template <class Values, class Real> bool clearly_positive(const Values& values, const Real& unseen) {
-    bool clear = true;
+// Lane by lane where a number is several side by side.
+template <class Values, class Real> auto clearly_positive(const Values& values, const Real& unseen) {
+    auto clear = Real(0) < Real(1);
     Real step = Real(0);
     for (std::size_t j = 0; j < values.size(); ++j) {
         const Real next =
             j + 1 < values.size() ? Real(math::magnitude(Real(values[j + 1] - values[j]))) : Real(0);
-        clear = clear && values[j] > step + next + unseen;
+        clear = clear & (values[j] > step + next + unseen);
         step = next;
     }
     return clear;

@@ -488,7 +488,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = true, nested = true, steady = false, packs = false;
+        static constexpr bool flow = true, nested = true, steady = false, packs = true;
         static constexpr std::array<std::size_t, 1> levels{2};
         static constexpr std::size_t columns = 2, angles = 1;
         static constexpr std::array<bool, 1> rounded{false};

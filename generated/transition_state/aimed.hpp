@@ -722,7 +722,7 @@ private:
 
     // What at_end integrates (runtime/final_sums.hpp).
     struct Course {
-        static constexpr bool flow = false, nested = false, steady = true, packs = false;
+        static constexpr bool flow = false, nested = false, steady = true, packs = true;
         static constexpr std::array<std::size_t, 0> levels{};
         static constexpr std::size_t columns = 0, angles = 2;
         static constexpr std::array<bool, 2> rounded{false, false};

@@ -156,7 +156,6 @@ std::string CppCourse::print() const {
         fades.push_back(0);
         for (const std::size_t with : plan_.fades_with(k)) fades.back() |= std::uint64_t(1) << with;
     }
-    const bool none_decays = std::find(decays.begin(), decays.end(), true) == decays.end();
     const bool nested = plan_.levels.size() > 1 || plan_.rounded_phases() || !program_.flow.empty();
     const bool steady = levels.empty() && program_.data.empty() &&
                         std::none_of(plan_.phase_rates.begin(), plan_.phase_rates.end(),
@@ -178,7 +177,7 @@ std::string CppCourse::print() const {
          {"rates", rates()},
          {"margins", margins()},
          {"conditions", conditions()},
-         {"packs", program_.flow.empty() && none_decays && no_data && no_callables ? "true" : "false"},
+         {"packs", !plan_.loses_digits && no_data && no_callables ? "true" : "false"},
          {"own", own_constants()},
          {"constants", constants()},
          {"edges", no_data ? "" : "            decltype(Evaluator::edges(own)) edges;\n"},
