@@ -10,6 +10,7 @@
 #include "certify/points/at_points.hpp"
 #include "certify/points/point.hpp"
 #include "certify/points/source.hpp"
+#include "certify/resonance.hpp"
 #include "certify/scan.hpp"
 #include "model/text/diagnostic.hpp"
 
