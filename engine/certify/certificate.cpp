@@ -10,6 +10,7 @@
 #include "certify/points/at_points.hpp"
 #include "certify/points/point.hpp"
 #include "certify/points/source.hpp"
+#include "certify/resonance.hpp"
 #include "certify/scan.hpp"
 #include "model/text/diagnostic.hpp"
 
@@ -27,17 +28,10 @@ namespace {
 using Matrix = std::vector<std::vector<Residue>>;
 
 // The functions below take n, the index of the point in the batch.
-std::vector<Residue> at_origin(const PointRun& run, std::size_t n, const std::vector<Slot>& slots) {
-    std::vector<Residue> values;
-    values.reserve(slots.size());
-    for (const Slot slot : slots) values.push_back(run.at_origin(slot, n));
-    return values;
-}
-
-Matrix at_origin(const PointRun& run, std::size_t n, const std::vector<std::vector<Slot>>& slots) {
+Matrix jacobian_of(const CertificatePlan& plan, const PointRun& run, std::size_t n) {
     Matrix values;
-    values.reserve(slots.size());
-    for (const std::vector<Slot>& row : slots) values.push_back(at_origin(run, n, row));
+    values.reserve(plan.jacobian.size());
+    for (const std::vector<Slot>& row : plan.jacobian) values.push_back(run.at_origin(row, n));
     return values;
 }
 
@@ -50,12 +44,6 @@ void require_known_rates(const CertificatePlan& plan, const PointRun& run, std::
                                       ring.generator(id).name,
                                       "ask for a lower order",
                                       {}});
-}
-
-FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
-                               const Point& point) {
-    return {point.field, at_origin(run, n, plan.growth), at_origin(run, n, plan.omega),
-            at_origin(run, n, plan.angle), point.values};
 }
 
 // Part (a); the frequencies at the points are kept for part (b).
@@ -79,7 +67,7 @@ std::string residual_complaint(const CertificatePlan& plan, Source& source, Surv
             require_known_rates(plan, run, n, *field.ring, through);
             // A residual that vanishes through M says that the highest derivatives are right through M only
             // if they are determined at weight 0. A non-zero determinant at one point proves it.
-            Matrix jacobian = at_origin(run, n, plan.jacobian);
+            Matrix jacobian = jacobian_of(plan, run, n);
             if (reduce_rows(jacobian, jacobian.size(), Residues{point.field})->size() < jacobian.size())
                 throw UnluckyPoint();
             std::string here = complaint_of(plan, run, n, field.system(), shape.through);
@@ -111,10 +99,7 @@ template <class Source, class Plan> Certificate certified(Plan plan, Source& sou
     std::vector<FrequencySample> samples;
     const std::string residual = residual_complaint(plan(), source, surveys, seed, certificate, samples);
     const std::string scan = scan_complaint(normal_form, source.map(), samples);
-    certificate.residual_zero = residual.empty();
-    certificate.normal_form_scan = scan.empty();
-    certificate.holds = certificate.residual_zero && certificate.normal_form_scan;
-    certificate.complaint = residual + (residual.empty() || scan.empty() ? "" : "; ") + scan;
+    conclude(certificate, residual, scan);
     return certificate;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normalize/recursion/numbers.hpp"
 #include "algebra/number/ball_matrix.hpp"
-#include "algebra/number/error.hpp"
 #include "certify/balls.hpp"
 #include "certify/build_plan.hpp"
+#include "certify/points/at_points.hpp"
 #include "certify/points/point.hpp"
+#include "certify/resonance.hpp"
 #include "certify/scan.hpp"
-
-#include <fmt/format.h>
 
 #include <limits>
 
@@ -24,25 +23,6 @@ bool is_small(const BallRun::Coefficient& c, int digits, std::int64_t bits) {
     acb_abs(magnitude.get(), c.value.get(), bits);
     arb_mul(bound.get(), bound.get(), c.size.number().get(), bits);
     return c.size.is_finite() && arb_le(magnitude.get(), bound.get()) != 0;
-}
-
-// The check of lowest weight whose value at a point is not small; "" if all are small.
-std::string complaint_of(const CertificatePlan& plan, const BallRun& run, const System& system, int order,
-                         std::int64_t bits) {
-    const VanishingCheck* worst = nullptr;
-    int lowest = 0;
-    for (const VanishingCheck& check : plan.checks) {
-        const int last = check.weight + (check.above_order ? order : 0);
-        int weight = 0;
-        while (weight <= last &&
-               is_small(run(check.slot)[static_cast<std::size_t>(weight)], system.digits, bits))
-            ++weight;
-        if (weight > last || (worst != nullptr && weight >= lowest)) continue;
-        worst = &check;
-        lowest = weight;
-    }
-    return worst == nullptr ? ""
-                            : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
 }
 
 // Whether the equations determine their highest derivatives: if not, a residual proves less than its weight.
@@ -65,14 +45,11 @@ std::string residual_complaint(const Normalization& n, const CertificatePlan& pl
     for (; certificate.points < points; ++certificate.points) {
         const BallPoint point = random_ball_point(field.ring, random, bits);
         const BallRun run(plan, n.normal_form, n.map, point);
-        if (!is_regular(plan, run, bits))
-            refuse(
-                {"at the origin no denominator of the equations vanishes and their highest derivatives are "
-                 "determined",
-                 system.name,
-                 "divide the equations by what vanishes at the origin",
-                 {}});
-        const std::string here = complaint_of(plan, run, system, n.normal_form.through, bits);
+        if (!is_regular(plan, run, bits)) refuse_undetermined(system);
+        const auto vanishes = [&](Slot slot, int weight) {
+            return is_small(run(slot)[static_cast<std::size_t>(weight)], system.digits, bits);
+        };
+        const std::string here = complaint_of(plan, system, n.normal_form.through, vanishes);
         if (complaint.empty()) complaint = here;
     }
     return complaint;
@@ -91,14 +68,8 @@ std::vector<FrequencySample> sampled(const std::shared_ptr<const GradedField>& f
         const Point& point = drawn.front();
         const PointReadings readings(plan, none, {}, drawn, 0);
         const PointRun run(plan, *field->ring, readings, drawn, 0);
-        const auto values = [&](const std::vector<Slot>& slots) {
-            std::vector<Residue> residues;
-            for (const Slot slot : slots) residues.push_back(run.at_origin(slot, 0));
-            return residues;
-        };
         certificate.primes.push_back(point.field.prime());
-        result.push_back(
-            {point.field, values(plan.growth), values(plan.omega), values(plan.angle), point.values});
+        result.push_back(frequencies_of(plan, run, 0, point));
     }
     return result;
 }
@@ -118,10 +89,7 @@ Certificate certify_numbers(const Normalization& n, const std::shared_ptr<const 
     const CertificatePlan plan = plan_certificate(*n.normal_form.field, nullptr);
     const std::string residual = residual_complaint(n, plan, seed, certificate);
     const std::string scan = scan_complaint(n.normal_form, n.map, sampled(field, seed, certificate));
-    certificate.residual_zero = residual.empty();
-    certificate.normal_form_scan = scan.empty();
-    certificate.holds = certificate.residual_zero && certificate.normal_form_scan;
-    certificate.complaint = residual + (residual.empty() || scan.empty() ? "" : "; ") + scan;
+    conclude(certificate, residual, scan);
     return certificate;
 }
 

@@ -23,6 +23,12 @@ Residue combined(const PrimeField& f, const std::vector<int>& multiples, const s
 
 } // namespace
 
+FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
+                               const Point& point) {
+    return {point.field, run.at_origin(plan.growth, n), run.at_origin(plan.omega, n),
+            run.at_origin(plan.angle, n), point.values};
+}
+
 auto Resonance::multiples_of(const std::vector<int>& exponents, int mode) const -> const Multiples& {
     const auto exponent = [&](GeneratorId id) { return exponents[static_cast<std::size_t>(id)]; };
     Multiples& m = multiples_;

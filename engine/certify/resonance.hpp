@@ -3,6 +3,8 @@
 #pragma once
 
 #include "algebra/number/modular.hpp"
+#include "certify/points/plan.hpp"
+#include "certify/points/point.hpp"
 #include "normalize/recursion/normal_form.hpp"
 
 #include <vector>
@@ -16,6 +18,9 @@ struct FrequencySample {
     std::vector<Residue> angle;         // of each angle
     std::vector<Residue> generators;    // of the ring
 };
+// At the n-th point of a run, which is `point`.
+FrequencySample frequencies_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
+                               const Point& point);
 
 // <alpha, lambda> - lambda_mode = growth + i frequency, of a monomial given by all its exponents.
 class Resonance {

@@ -193,4 +193,11 @@ std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap&
     return shared ? inner_product_complaint(normal_form, map, samples, resonance) : "";
 }
 
+void conclude(Certificate& certificate, const std::string& residual, const std::string& scan) {
+    certificate.residual_zero = residual.empty();
+    certificate.normal_form_scan = scan.empty();
+    certificate.holds = certificate.residual_zero && certificate.normal_form_scan;
+    certificate.complaint = residual + (residual.empty() || scan.empty() ? "" : "; ") + scan;
+}
+
 } // namespace resonform

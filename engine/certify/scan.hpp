@@ -24,4 +24,7 @@ std::string shape_complaint(const NormalForm& normal_form, const NearIdentityMap
 std::string scan_complaint(const NormalForm& normal_form, const NearIdentityMap& map,
                            const std::vector<FrequencySample>& samples);
 
+// From the complaints of parts (a) and (b).
+void conclude(Certificate& certificate, const std::string& residual, const std::string& scan);
+
 } // namespace resonform

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "cli/arguments.hpp"
+#include "cli/output.hpp"
 #include "model/text/nearest.hpp"
 
 #include <fmt/format.h>
@@ -121,8 +122,7 @@ void refuse_empty_values(const CLI::App& app) {
     }
 }
 
-} // namespace
-
+// Returns what --help or --version prints, else "".
 std::string read_command_line(CLI::App& app, int argc, char** argv) {
     try {
         app.parse(argc, argv);
@@ -147,6 +147,18 @@ std::string read_command_line(CLI::App& app, int argc, char** argv) {
                                          see_help(app),
                                          {}});
     }
+}
+
+} // namespace
+
+int run_command_line(CLI::App& app, const Action& action, int argc, char** argv) {
+    const std::string help = read_command_line(app, argc, argv);
+    print_result(help);
+    if (help.empty() && !action)
+        bad_input(Reason::command_line, {"a command must be given", "", see_help(app), {}});
+    const int code = action ? action() : done;
+    finish_results();
+    return code;
 }
 
 } // namespace resonform

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads argv with CLI11 and rewords its complaints.
+// Reads argv with CLI11, rewords its complaints, and runs the command.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
-#include <string>
+#include "cli/command.hpp"
 
 namespace resonform {
 
-// Runs the callback of the chosen subcommand. Returns what --help or --version prints, else "".
-// Errors (bad_input): an unknown word, an option without its value or given twice, a missing argument.
-std::string read_command_line(CLI::App& app, int argc, char** argv);
+// Prints what --help or --version asks for, or runs `action`, which the chosen subcommand sets while argv is
+// read; the exit code. Errors (bad_input): no command, an unknown word, an option without its value or given
+// twice, a missing argument.
+int run_command_line(CLI::App& app, const Action& action, int argc, char** argv);
 
 } // namespace resonform

@@ -47,13 +47,7 @@ int run(int argc, char** argv) {
                  "resonform");
     Action action;
     add_commands(app, action);
-    const std::string help = read_command_line(app, argc, argv);
-    print_result(help);
-    if (help.empty() && !action)
-        bad_input(Reason::command_line, {"a command must be given", "", "see resonform --help", {}});
-    const int code = action ? action() : done;
-    finish_results();
-    return code;
+    return run_command_line(app, action, argc, argv);
 }
 
 } // namespace

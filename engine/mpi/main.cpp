@@ -83,12 +83,7 @@ int run(Ranks& ranks, int argc, char** argv) {
     app.set_version_flag("--version", "resonform_mpi " RESONFORM_VERSION);
     app.set_help_flag("-h,--help", "print this help and exit");
     add_sweep_of(app, action, ranks.team());
-    const std::string help = read_command_line(app, argc, argv);
-    print_result(help);
-    if (help.empty() && !action)
-        bad_input(Reason::command_line, {"a command must be given", "", "see resonform_mpi --help", {}});
-    const int code = action ? action() : done;
-    finish_results();
+    const int code = run_command_line(app, action, argc, argv);
     if (ranks.leads()) ranks.tell(code); // --help and --gather
     return code;
 }

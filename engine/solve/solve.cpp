@@ -149,6 +149,26 @@ void fill_state(Draft& draft) {
     }
 }
 
+Solution solved_as_flow(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
+    Solution solution;
+    solution.order = options.order;
+    solution.truncation = options.truncation;
+    solution.flow = std::make_shared<const SlowFlow>(slow_flow(*normalization, options));
+    solution.normalization = std::move(normalization);
+    return solution;
+}
+
+Solution solved_by_quadratures(std::shared_ptr<const Normalization> normalization,
+                               const SolveOptions& options) {
+    const EnvelopePlan plan = plan_envelope(normalization->normal_form);
+    Draft draft(std::move(normalization), options, plan.refinements());
+    solve_amplitude_and_phase(draft, plan);
+    solve_drift(draft);
+    fill_outputs(draft);
+    fill_state(draft);
+    return std::move(draft.solution);
+}
+
 void check_projected(const Solution& solution, const SolveOptions& options) {
     if (options.growing == Growing::project && !(solution.flow && solution.flow->grows()))
         bad_input({"a start is projected where a mode grows at eps = 0",
@@ -169,23 +189,12 @@ bool solves_by_quadratures(const NormalForm& normal_form, int time_scale) {
 
 Solution solve(std::shared_ptr<const Normalization> normalization, const SolveOptions& options) {
     check_supported(*normalization, options);
-    if (options.at_zero || !solves_by_quadratures(normalization->normal_form, options.time_scale)) {
-        Solution solution;
-        solution.order = options.order;
-        solution.truncation = options.truncation;
-        solution.flow = std::make_shared<const SlowFlow>(slow_flow(*normalization, options));
-        solution.normalization = std::move(normalization);
-        check_projected(solution, options);
-        return solution;
-    }
-    const EnvelopePlan plan = plan_envelope(normalization->normal_form);
-    Draft draft(std::move(normalization), options, plan.refinements());
-    solve_amplitude_and_phase(draft, plan);
-    solve_drift(draft);
-    fill_outputs(draft);
-    fill_state(draft);
-    check_projected(draft.solution, options);
-    return std::move(draft.solution);
+    const bool has_flow =
+        options.at_zero || !solves_by_quadratures(normalization->normal_form, options.time_scale);
+    Solution solution = has_flow ? solved_as_flow(std::move(normalization), options)
+                                 : solved_by_quadratures(std::move(normalization), options);
+    check_projected(solution, options);
+    return solution;
 }
 
 } // namespace resonform

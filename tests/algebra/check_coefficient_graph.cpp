@@ -6,6 +6,7 @@
 #include "algebra/graph/derivative.hpp"
 #include "algebra/graph/expansion.hpp"
 #include "algebra/number/error.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -218,13 +219,9 @@ TEST_F(Coefficients, expand_to_quotients) {
 
 TEST_F(Coefficients, expansion_keeps_its_limit) {
     const Coefficient c = graph.product(graph.power(graph.polynomial(linear()), 12), graph.inverse(linear()));
-    try {
-        static_cast<void>(expand(graph, c, {10}));
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::refused);
-        EXPECT_NE(std::string(error.what()).find("up to 10 points"), std::string::npos) << error.what();
-    }
+    const Error error = test::error_when([&] { static_cast<void>(expand(graph, c, {10})); });
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_NE(std::string(error.what()).find("up to 10 points"), std::string::npos) << error.what();
 }
 
 TEST_F(Coefficients, replay_modulo_primes_and_in_rationals_agree) {

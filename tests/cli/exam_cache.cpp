@@ -6,9 +6,8 @@ namespace resonform::test {
 
 namespace {
 
-class CacheOfTheCommand : public Command {
+class CacheOfTheCommand : public CommandOfSpring {
 protected:
-    CacheOfTheCommand() { write_spring(scratch_.path()); }
     [[nodiscard]] Outcome verified(const std::string& environment) const {
         return run("unset RESONFORM_CACHE; " + environment + " resonform verify systems/spring/scenes/s.toml",
                    scratch_.path());

@@ -6,15 +6,10 @@ namespace resonform::test {
 
 namespace {
 
-class CompareInput : public Command {
+class CompareInput : public CommandOfSpring {
 protected:
-    CompareInput() { write_spring(scratch_.path()); }
     void expect_message(const std::string& words, const std::string& message) const {
-        const Outcome outcome = said("compare systems/spring/scenes/s.toml " + words);
-        EXPECT_EQ(outcome.code, 2) << words;
-        EXPECT_EQ(outcome.out, "") << words;
-        EXPECT_EQ(outcome.err.compare(0, 11 + message.size(), "resonform: " + message), 0) << words << "\n"
-                                                                                           << outcome.err;
+        expect_bad_input("compare systems/spring/scenes/s.toml " + words, message);
     }
 };
 

@@ -8,10 +8,9 @@ namespace resonform::test {
 
 namespace {
 
-class Interrupt : public Command {
+class Interrupt : public CommandOfSpring {
 protected:
     Interrupt() {
-        write_spring(scratch_.path());
         // A compiler that begins its output, starts a program of its own, and takes its time.
         write(scratch_.path() / "slow_cxx",
               "#!/bin/bash\nfor last; do :; done\ntouch \"$last\"\nsleep 120 &\necho $! >sleeper\nwait\n");

@@ -6,10 +6,9 @@ namespace resonform::test {
 
 namespace {
 
-class SlowReport : public Command {
+class SlowReport : public CommandOfSpring {
 protected:
     SlowReport() {
-        write_spring(scratch_.path());
         const std::filesystem::path scenes = scratch_.path() / "systems/spring/scenes";
         write(scenes / "two.toml", read(scenes / "s.toml"));
         // Everything but gnuplot.
@@ -30,7 +29,7 @@ protected:
 
 TEST_F(SlowReport, OfAnotherSceneIsNotOverwritten) {
     ASSERT_EQ(reported("s", without_gnuplot()).code, 0);
-    const std::string html = read(scratch_.path() / "here/report.html");
+    const std::string html = file("here/report.html");
     const Outcome other = reported("two", without_gnuplot());
     EXPECT_EQ(other.code, 2);
     EXPECT_EQ(other.out, "");
@@ -39,11 +38,11 @@ TEST_F(SlowReport, OfAnotherSceneIsNotOverwritten) {
                              "  hint:  give another folder, or delete that report\n"),
               std::string::npos)
         << other.err;
-    EXPECT_EQ(read(scratch_.path() / "here/report.html"), html);
+    EXPECT_EQ(file("here/report.html"), html);
     EXPECT_EQ(reported("s", without_gnuplot()).code, 0) << "its own is";
     write(scratch_.path() / "here/report.md", "a report of mine\n");
     EXPECT_EQ(reported("s", without_gnuplot()).code, 2) << "nor what is no report of ours";
-    EXPECT_EQ(read(scratch_.path() / "here/report.md"), "a report of mine\n");
+    EXPECT_EQ(file("here/report.md"), "a report of mine\n");
 }
 
 TEST_F(SlowReport, WithoutGnuplotHasNoFiguresAndSaysSo) {
@@ -56,11 +55,11 @@ TEST_F(SlowReport, WithoutGnuplotHasNoFiguresAndSaysSo) {
             0),
         0U)
         << outcome.err;
-    const std::string page = read(scratch_.path() / "here/report.md");
+    const std::string page = file("here/report.md");
     EXPECT_NE(page.find("| figures | gnuplot could not be run |"), std::string::npos) << page;
     EXPECT_NE(page.find("## Order of accuracy"), std::string::npos);
     EXPECT_EQ(page.find("!["), std::string::npos) << "a figure that is not there";
-    EXPECT_EQ(read(scratch_.path() / "here/report.html").find("<figure>"), std::string::npos);
+    EXPECT_EQ(file("here/report.html").find("<figure>"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "here/figures")) << "a folder of nothing";
 }
 

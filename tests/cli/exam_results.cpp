@@ -17,9 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-class SlowResults : public Command {
+class SlowResults : public CommandOfSpring {
 protected:
-    SlowResults() { write_spring(scratch_.path()); }
     [[nodiscard]] std::filesystem::path kept() const {
         return scratch_.path() / "kept/spring/s/results.json";
     }
@@ -37,9 +36,8 @@ TEST_F(SlowResults, AreKeptAndCompared) {
         EXPECT_EQ(undocumented(json, file_formats()), std::set<std::string>());
     EXPECT_EQ(results["verification"]["outputs"][0]["verdict"], "pass");
     EXPECT_FALSE(results["comparison"].contains("rows"));
-    EXPECT_NE(read(scratch_.path() / "kept/README.md").find("[spring/s](spring/s/report.md)"),
-              std::string::npos);
-    EXPECT_EQ(read(scratch_.path() / "kept/spring/s/report.md").find("Every run"), std::string::npos);
+    EXPECT_NE(file("kept/README.md").find("[spring/s](spring/s/report.md)"), std::string::npos);
+    EXPECT_EQ(file("kept/spring/s/report.md").find("Every run"), std::string::npos);
 
     // Nothing is made twice.
     EXPECT_NE(printed("results kept spring/s").find("up to date"), std::string::npos);

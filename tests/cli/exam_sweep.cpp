@@ -14,14 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-class Sweep : public Command {
+class Sweep : public SweepOfSpring {
 protected:
-    Sweep() { write_spring(scratch_.path()); }
-    [[nodiscard]] Outcome shell(const std::string& commands) const {
-        return run("sweep() { resonform sweep systems/spring/scenes/s.toml \"$@\"; }\n" + commands,
-                   scratch_.path());
-    }
-    [[nodiscard]] std::string file(const std::string& name) const { return read(scratch_.path() / name); }
     [[nodiscard]] Json json(const std::string& name) const { return Json::parse(file(name)); }
 };
 

@@ -15,15 +15,7 @@ namespace {
 
 const std::string grid = "--over 'eps=log(1e-3:1e-1:3)' --over amplitude.x=0.5:1:2 ";
 
-class SweepHdf5 : public Command {
-protected:
-    SweepHdf5() { write_spring(scratch_.path()); }
-    [[nodiscard]] Outcome shell(const std::string& commands) const {
-        return run("sweep() { resonform sweep systems/spring/scenes/s.toml \"$@\"; }\n" + commands,
-                   scratch_.path());
-    }
-    [[nodiscard]] std::string file(const std::string& name) const { return read(scratch_.path() / name); }
-};
+using SweepHdf5 = SweepOfSpring;
 
 #ifdef RESONFORM_HDF5
 

@@ -9,7 +9,6 @@ namespace {
 class SweepInput : public Command {
 protected:
     SweepInput() {
-        write_spring(scratch_.path());
         write(scratch_.path() / "systems/spring/system.toml",
               "[system]\nname = \"spring\"\n[parameters]\nk = { positive = true }\nh = {}\n[variables]\n"
               "x = { role = \"fast\" }\n[equations]\nx = \"x'' + x + k*x^3 + h*x^5 = 0\"\n");
@@ -17,11 +16,7 @@ protected:
               "order = 3\n[fix]\nh = 1\n[start]\namplitude.x = 1\nphase.x = 0\n");
     }
     void expect_message(const std::string& words, const std::string& message) const {
-        const Outcome outcome = said("sweep " + words);
-        EXPECT_EQ(outcome.code, 2) << words;
-        EXPECT_EQ(outcome.out, "") << words;
-        EXPECT_EQ(outcome.err.compare(0, 11 + message.size(), "resonform: " + message), 0) << words << "\n"
-                                                                                           << outcome.err;
+        expect_bad_input("sweep " + words, message);
         for (const char* left : {"o.npy", "o.json", "o.parts"})
             EXPECT_FALSE(std::filesystem::exists(scratch_.path() / left)) << words;
     }

@@ -8,9 +8,8 @@ namespace resonform::test {
 
 namespace {
 
-class SweepMpi : public Command {
+class SweepMpi : public CommandOfSpring {
 protected:
-    SweepMpi() { write_spring(scratch_.path()); }
     void SetUp() override {
 #ifndef RESONFORM_MPI
         GTEST_SKIP()
@@ -68,7 +67,7 @@ TEST_F(SweepMpi, GoesOnAfterARankWasKilled) {
 TEST_F(SweepMpi, BadInputIsSaidOnce) {
     const Outcome outcome = shell(
         "mpi resonform_mpi sweep $S --over eps=0.9 --output a.npy 2>said; echo $?; grep -c ^resonform: said");
-    EXPECT_EQ(outcome.out, "2\n1\n") << read(scratch_.path() / "said");
+    EXPECT_EQ(outcome.out, "2\n1\n") << file("said");
 }
 
 TEST_F(SweepMpi, TheOtherProgramIsNamed) {

@@ -8,9 +8,8 @@ namespace resonform::test {
 
 namespace {
 
-class Writing : public Command {
+class Writing : public CommandOfSpring {
 protected:
-    Writing() { write_spring(scratch_.path()); }
     // With files of at most so many kB.
     [[nodiscard]] Outcome limited(int size, const std::string& command) const {
         return run("unset RESONFORM_CACHE; ulimit -f " + std::to_string(size) + "; resonform " + command,
@@ -36,7 +35,7 @@ TEST_F(Writing, AFileThatGrowsTooLargeIsSaid) {
                                    "  hint:  make the folder, free space, or give another path\n");
     }
     EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "new.hpp"));
-    EXPECT_EQ(read(scratch_.path() / "old.hpp"), "of before");
+    EXPECT_EQ(file("old.hpp"), "of before");
     expect_no_draft();
     const Outcome printed = limited(1, "generate systems/spring/scenes/s.toml >printed");
     EXPECT_EQ(printed.code, 2);

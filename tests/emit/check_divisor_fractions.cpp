@@ -4,17 +4,11 @@
 #include "emit/display/divisor_fractions.hpp"
 
 #include "algebra/ring/products.hpp"
+#include "support/generators.hpp"
 #include <gtest/gtest.h>
 
 namespace resonform {
 namespace {
-
-Generator plain_generator(GeneratorKind kind, const std::string& name) {
-    Generator g;
-    g.kind = kind;
-    g.name = name;
-    return g;
-}
 
 // J, K; phases u, v; divisors D1 = J^2 + K + 1, D2 = J^2 + 2 K + 4, D3 = J^2 + 3 K + 9, ...
 struct Divided {
@@ -24,12 +18,12 @@ struct Divided {
 
     explicit Divided(int count) {
         RingBuilder builder;
-        j = builder.add(plain_generator(GeneratorKind::slow, "J"));
-        k = builder.add(plain_generator(GeneratorKind::slow, "K"));
-        u = builder.add(plain_generator(GeneratorKind::phase, "u"));
-        v = builder.add(plain_generator(GeneratorKind::phase, "v"));
+        j = builder.add(test::named(GeneratorKind::slow, "J"));
+        k = builder.add(test::named(GeneratorKind::slow, "K"));
+        u = builder.add(test::named(GeneratorKind::phase, "u"));
+        v = builder.add(test::named(GeneratorKind::phase, "v"));
         for (int n = 1; n <= count; ++n) {
-            Generator d = plain_generator(GeneratorKind::root, "D" + std::to_string(n));
+            Generator d = test::named(GeneratorKind::root, "D" + std::to_string(n));
             d.index = 1;
             d.radicand =
                 builder.gen(j, 2) + Rational(n) * builder.gen(k) + Polynomial(Rational(n) * Rational(n));

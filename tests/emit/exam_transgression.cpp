@@ -3,6 +3,7 @@
 // averaged rates, and a drift that oscillates as much as it moves.
 #include "printed.hpp"
 #include "solve/solve.hpp"
+#include "support/error_when.hpp"
 #include "support/shell.hpp"
 
 #include <nlohmann/json.hpp>
@@ -138,13 +139,9 @@ TEST(TransgressionJson, OfTheParticleIsRead) {
 }
 
 TEST(Transgression, IsOfWhatIsConstantAtEpsZero) {
-    try {
-        transgression_text("henon_heiles", 1);
-        FAIL() << "printed";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-        expect_part(error.what(), "stage transgression is of what is constant at eps = 0");
-    }
+    const Error error = error_when([&] { transgression_text("henon_heiles", 1); });
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    expect_part(error.what(), "stage transgression is of what is constant at eps = 0");
 }
 
 } // namespace

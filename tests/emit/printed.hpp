@@ -6,6 +6,7 @@
 #include "emit/derive/document.hpp"
 #include "normalize/recursion/poincare.hpp"
 #include "support/exact.hpp"
+#include "support/generators.hpp"
 #include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
@@ -14,23 +15,6 @@
 #include <string>
 
 namespace resonform::test {
-
-inline Generator named(GeneratorKind kind, const std::string& name, bool positive = false) {
-    Generator g;
-    g.kind = kind;
-    g.name = name;
-    g.positive = positive;
-    g.invertible = positive;
-    g.weight = kind == GeneratorKind::fast || kind == GeneratorKind::small ? 1 : 0;
-    return g;
-}
-
-inline Generator root_of(const std::string& name, int index, const Polynomial& radicand) {
-    Generator g = named(GeneratorKind::root, name, true);
-    g.index = index;
-    g.radicand = radicand;
-    return g;
-}
 
 // i, z1, z2, eps, g > 0, r > 0, v, xi, G = g^(1/2), sigma = (xi^2 + r^2)^(1/4)
 struct PrintedRing {

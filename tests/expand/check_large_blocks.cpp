@@ -2,6 +2,7 @@
 // Modes of blocks of more than two states: A T = T Lambda and rows from the inverse, for known spectra and
 // for random matrices made from them.
 #include "model/text/enclosure.hpp"
+#include "support/error_when.hpp"
 #include "support/exact.hpp"
 
 #include <fmt/format.h>
@@ -87,14 +88,9 @@ std::string file(const std::string& parameters,
 }
 
 std::string message(const std::string& toml) {
-    try {
-        test::field_from(toml);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused) << e.what();
-        return e.what();
-    }
-    ADD_FAILURE() << "accepted:\n" << toml;
-    return "";
+    const Error e = test::error_when([&] { test::field_from(toml); }, toml);
+    EXPECT_EQ(e.kind(), ErrorKind::refused) << e.what();
+    return e.what();
 }
 
 // n oscillators in a row between walls, k and m symbols.

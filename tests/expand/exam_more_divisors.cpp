@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // More divisors than a ring holds: what the message offers is what the system can have.
 #include "expand/refusal.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,14 +17,9 @@ std::string refusal_of_divisors(const std::string& toml, const std::string& symb
     const Polynomial x = field->ring->gen(field->ring->find(symbol).value());
     std::vector<Polynomial> divisors;
     for (int n = 1; n <= 30; ++n) divisors.push_back(x - Polynomial(Rational(n)));
-    try {
-        with_divisors(*field, divisors);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused);
-        return e.diagnostic().hint;
-    }
-    ADD_FAILURE() << "accepted:\n" << toml;
-    return "";
+    const Error e = test::error_when([&] { with_divisors(*field, divisors); }, toml);
+    EXPECT_EQ(e.kind(), ErrorKind::refused);
+    return e.diagnostic().hint;
 }
 
 std::string pair_with(const std::string& tables, const std::string& equations) {

@@ -2,6 +2,7 @@
 // What the reader makes of an expression, and what it refuses.
 #include "model/text/expression.hpp"
 #include "model/text/function_call.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,16 +101,12 @@ TEST_F(Expression, HighestPrimes) {
 }
 
 TEST_F(Expression, MessagesHaveTheWholeStory) {
-    try {
-        read("r*xj + 2");
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "file.toml:7:3: equations.x: unknown symbol\n"
-                                   "    r*xj + 2\n"
-                                   "      ^\n"
-                                   "  found: xj\n"
-                                   "  hint:  did you mean 'x'? Known are: r, x, xi");
-    }
+    const Error error = test::error_when([&] { read("r*xj + 2"); });
+    EXPECT_STREQ(error.what(), "file.toml:7:3: equations.x: unknown symbol\n"
+                               "    r*xj + 2\n"
+                               "      ^\n"
+                               "  found: xj\n"
+                               "  hint:  did you mean 'x'? Known are: r, x, xi");
 }
 
 TEST_F(Expression, SyntaxErrors) {

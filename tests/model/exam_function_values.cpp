@@ -4,6 +4,7 @@
 #include "model/files/read_system.hpp"
 #include "model/text/canonical.hpp"
 #include "model/text/named_function.hpp"
+#include "support/error_when.hpp"
 
 namespace resonform {
 namespace {
@@ -59,14 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(GivenFunctions, HaveTheirSignsInTheDomain) {
     const std::string plain = system_of("f(s)*x");
     with_values(plain, "f = \"1 + s\"\ng = \"-k\""); // s and k are positive
-    const std::string message = [&] {
-        try {
-            with_values(plain, "f = \"1 - s\"\ng = 1");
-        } catch (const Error& error) {
-            return std::string(error.what());
-        }
-        return std::string();
-    }();
+    const std::string message = test::message_when([&] { with_values(plain, "f = \"1 - s\"\ng = 1"); });
     EXPECT_EQ(
         message,
         "scene.toml:2:6: functions.f: the system declares f positive, and its value is not proved to be so "
@@ -133,16 +127,14 @@ struct Wrong {
 class WrongValues : public testing::TestWithParam<Wrong> {};
 
 TEST_P(WrongValues, AreRefusedInOneMessage) {
-    try {
+    const Error error = test::error_when([&] {
         read_for(std::string("order = 1\n") + GetParam().functions,
                  system_of("f(s)*x + f(2)*x^2 + g'(k)*x^3"));
-        FAIL() << "accepted";
-    } catch (const Error& error) {
-        const std::string message = error.what();
-        EXPECT_EQ(error.kind(), ErrorKind::bad_input) << message;
-        EXPECT_NE(message.find(GetParam().rule), std::string::npos) << message;
-        EXPECT_NE(message.find(GetParam().hint), std::string::npos) << message;
-    }
+    });
+    const std::string message = error.what();
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input) << message;
+    EXPECT_NE(message.find(GetParam().rule), std::string::npos) << message;
+    EXPECT_NE(message.find(GetParam().hint), std::string::npos) << message;
 }
 
 INSTANTIATE_TEST_SUITE_P(

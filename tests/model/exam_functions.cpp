@@ -8,6 +8,7 @@
 
 #include "algebra/number/error.hpp"
 #include "model/files/read_system.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,14 +27,9 @@ System with_functions(const std::string& functions,
 }
 
 std::string message(const std::string& functions, const std::string& equation = "psi'' + psi = 0") {
-    try {
-        with_functions(functions, equation);
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-        return e.what();
-    }
-    ADD_FAILURE() << "accepted: " << functions;
-    return {};
+    const Error e = test::error_when([&] { with_functions(functions, equation); }, functions);
+    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
+    return e.what();
 }
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

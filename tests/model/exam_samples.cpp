@@ -3,6 +3,7 @@
 #include "algebra/number/error.hpp"
 #include "model/files/read_scene.hpp"
 #include "model/files/spline.hpp"
+#include "support/error_when.hpp"
 #include "support/shell.hpp"
 
 #include <cln/cln.h>
@@ -91,13 +92,9 @@ protected:
 
     std::string message(const std::string& data, const std::string& value,
                         const std::string& start = "\"x'\" = 0\ns = 0") {
-        try {
-            read(data, value, start);
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::bad_input) << error.what();
-            return error.what();
-        }
-        return "accepted";
+        const Error error = test::error_when([&] { read(data, value, start); });
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input) << error.what();
+        return error.what();
     }
 
 private:

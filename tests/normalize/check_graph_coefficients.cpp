@@ -2,6 +2,7 @@
 // Normal forms with coefficients in a graph: the same as in the ring and as with numbers, and certified.
 #include "algebra/graph/expansion.hpp"
 #include "normalize/certified.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -146,14 +147,10 @@ TEST(GraphCoefficients, OfAlgebraicLeavesAreRefused) {
     const auto expect_refused = [](const std::string& first, const std::string& found) {
         const auto field =
             coupled(first, "w2^2", two_frequencies + "a = { positive = true }\nb = { positive = true }\n");
-        try {
-            static_cast<void>(normalize_in_graph(field, 3));
-            FAIL() << first;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::refused);
-            EXPECT_NE(std::string(error.what()).find("independent symbols"), std::string::npos);
-            EXPECT_EQ(error.diagnostic().value, found);
-        }
+        const Error error = test::error_when([&] { static_cast<void>(normalize_in_graph(field, 3)); });
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
+        EXPECT_NE(std::string(error.what()).find("independent symbols"), std::string::npos);
+        EXPECT_EQ(error.diagnostic().value, found);
     };
     expect_refused("(a + b)", "a root whose radicand is a sum");
     expect_refused("2*w1^2", "2^(1/2)");

@@ -3,6 +3,7 @@
 // eigenvectors of one block of four states.
 #include "normalize/certified.hpp"
 #include "normalize/styles/normalize.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,15 +33,10 @@ TEST(HamiltonianHopf, HasAChainOfTwoModes) {
 }
 
 TEST(HamiltonianHopf, IsRefusedInStylePoincare) {
-    try {
-        test::field_from(particle("poincare"));
-        ADD_FAILURE() << "accepted";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.diagnostic().value,
-                  "lambda^2 + w^2 is a 2-fold factor of the characteristic polynomial "
-                  "of x, y, and has fewer eigenvectors");
-        EXPECT_EQ(error.diagnostic().hint.substr(0, 29), "write style = \"inner_product\"");
-    }
+    const Error error = test::error_when([&] { test::field_from(particle("poincare")); });
+    EXPECT_EQ(error.diagnostic().value, "lambda^2 + w^2 is a 2-fold factor of the characteristic polynomial "
+                                        "of x, y, and has fewer eigenvectors");
+    EXPECT_EQ(error.diagnostic().hint.substr(0, 29), "write style = \"inner_product\"");
 }
 
 } // namespace

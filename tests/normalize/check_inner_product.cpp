@@ -4,6 +4,7 @@
 #include "normalize/lies.hpp"
 #include "normalize/recursion/inverse_map.hpp"
 #include "normalize/styles/normalize.hpp"
+#include "support/error_when.hpp"
 
 #include <random>
 
@@ -292,13 +293,9 @@ TEST(InnerProduct, OfASemisimpleLinearPartIsPoincares) {
 }
 
 std::string refusal(const std::string& toml) {
-    try {
-        static_cast<void>(normalize(test::field_from(toml), 2));
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused);
-        return e.diagnostic().rule + " | " + e.diagnostic().hint;
-    }
-    return "not refused";
+    const Error e = test::error_when([&] { static_cast<void>(normalize(test::field_from(toml), 2)); });
+    EXPECT_EQ(e.kind(), ErrorKind::refused);
+    return e.diagnostic().rule + " | " + e.diagnostic().hint;
 }
 
 TEST(InnerProduct, Refusals) {

@@ -5,6 +5,7 @@
 #include "normalize/lies.hpp"
 #include "normalize/recursion/numbers.hpp"
 #include "normalize/recursion/poincare.hpp"
+#include "support/error_when.hpp"
 #include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
@@ -208,17 +209,13 @@ TEST(Numbers, OppositeEigenvaluesAreResonantExactly) {
 }
 
 TEST(Numbers, WhatCannotBeToldFromZeroIsRefusedOrKeptNear) {
-    try {
-        normalize_in_numbers(field_of(fast(doubled()), 15), 2);
-        FAIL() << "2 omega_1 = omega_2 was divided by";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::refused);
-        const std::string text = error.what();
-        EXPECT_NE(text.find("told from zero"), std::string::npos) << text;
-        EXPECT_NE(text.find("system.toml:"), std::string::npos) << text;
-        EXPECT_NE(text.find(" = i*("), std::string::npos) << text;
-        EXPECT_NE(text.find("D(z"), std::string::npos) << text;
-    }
+    const Error error = test::error_when([&] { normalize_in_numbers(field_of(fast(doubled()), 15), 2); });
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    const std::string text = error.what();
+    EXPECT_NE(text.find("told from zero"), std::string::npos) << text;
+    EXPECT_NE(text.find("system.toml:"), std::string::npos) << text;
+    EXPECT_NE(text.find(" = i*("), std::string::npos) << text;
+    EXPECT_NE(text.find("D(z"), std::string::npos) << text;
     const std::string near = "[normal_form]\nnear = 1e-6\n";
     const InNumbers kept = normalized(fast(doubled(), "", "", near), 2, 15);
     EXPECT_TRUE(std::any_of(kept.n.divisors.begin(), kept.n.divisors.end(),
@@ -249,20 +246,18 @@ TEST(Numbers, OnTheThresholdTheMessageNamesMonomialDivisorAndValue) {
     const std::string toml = fast({{"x", "x'' = -x + x*y"}, {"y", "y'' = -(2 + 1/1000)^2*y + x^2"}}, "", "",
                                   "[normal_form]\nnear = 0.00100000000000001\n");
     for (const int digits : {0, 20}) {
-        try {
+        const Error error = test::error_when([&] {
             if (digits == 0)
                 normalize_poincare(field_of(toml, 0), 2);
             else
                 normalize_in_numbers(field_of(toml, digits), 2);
-            FAIL() << digits;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::refused);
-            const std::string text = error.what();
-            EXPECT_NE(text.find("system.toml:9:"), std::string::npos) << text;
-            EXPECT_NE(text.find("D(z2*z3) of z1 = i*(-2*omega_x + omega_y)"), std::string::npos) << text;
-            EXPECT_NE(text.find("near = 0.00100000000000001\n"), std::string::npos) << text;
-            EXPECT_NE(text.find("change near in [normal_form] a little"), std::string::npos) << text;
-        }
+        });
+        EXPECT_EQ(error.kind(), ErrorKind::refused);
+        const std::string text = error.what();
+        EXPECT_NE(text.find("system.toml:9:"), std::string::npos) << text;
+        EXPECT_NE(text.find("D(z2*z3) of z1 = i*(-2*omega_x + omega_y)"), std::string::npos) << text;
+        EXPECT_NE(text.find("near = 0.00100000000000001\n"), std::string::npos) << text;
+        EXPECT_NE(text.find("change near in [normal_form] a little"), std::string::npos) << text;
     }
 }
 
@@ -301,14 +296,10 @@ TEST(Numbers, ModesOfOneVariableAreToldApartInMessages) {
                                 {"x1", "fast", "x1' = 3*x0 - 2*x1 - 3*x3 + 5/3*x1*x2*eps"},
                                 {"x2", "fast", "x2' = -2*x1 - 2*x2 + 2*x3 + 4/3*x3*x0"},
                                 {"x3", "fast", "x3' = 3*x0 - 3*x1 + 5/3*x3^2"}});
-    try {
-        normalized(block, 3, 60);
-        FAIL() << "a divisor that is zero was divided by";
-    } catch (const Error& error) {
-        const std::string text = error.what();
-        EXPECT_NE(text.find("growth_z"), std::string::npos) << text;
-        EXPECT_EQ(text.find("growth_x0"), std::string::npos) << text;
-    }
+    const Error error = test::error_when([&] { normalized(block, 3, 60); });
+    const std::string text = error.what();
+    EXPECT_NE(text.find("growth_z"), std::string::npos) << text;
+    EXPECT_EQ(text.find("growth_x0"), std::string::npos) << text;
 }
 
 // The sizes of terms by which residuals are judged leave the range of doubles on both sides.
@@ -322,13 +313,7 @@ TEST(Numbers, OfExtremeSizesAreCertified) {
 
 TEST(Numbers, WantNumbers) {
     const auto kind_of = [](const std::string& toml) {
-        try {
-            normalize_in_numbers(field_of(toml, 20), 3);
-        } catch (const Error& error) {
-            return error.kind();
-        }
-        ADD_FAILURE() << "not an error: " << toml;
-        return ErrorKind::bad_input;
+        return test::error_when([&] { normalize_in_numbers(field_of(toml, 20), 3); }, toml).kind();
     };
     EXPECT_EQ(kind_of(test::system_text("p", {{"x", "fast", "x'' = -x + k*x^3"}}, "[parameters]\nk = {}\n")),
               ErrorKind::bad_input);

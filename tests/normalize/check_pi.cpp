@@ -2,6 +2,7 @@
 // The number pi in coefficients: a positive transcendental constant; sines of its fractions; asin and acos of
 // what does not vanish at the origin.
 #include "normalize/certified.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,14 +44,10 @@ TEST(Pi, FractionsOfATurnAreRoots) {
         test::certified(field_from(pi_file(
             "x'' + x = x^2*(cos(s) - sqrt(3)*sin(s))/2 + x*(sin(x) - cos(x)) + x + pi*sqrt(2)*x^3"))));
     test::certified(field_from(pi_file("x'' + x = x^2*sin(s + pi/12 - pi/3) + eps*acos(x)*x")));
-    try {
-        field_from(pi_file("x'' + x = x^2*cos(s + pi/7)"));
-        ADD_FAILURE() << "accepted";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.diagnostic().rule,
-                  "sines and cosines of multiples of pi are those of multiples of pi/12 and pi/10");
-        EXPECT_EQ(error.diagnostic().value, "sin(1/7*pi)");
-    }
+    const Error error = test::error_when([&] { field_from(pi_file("x'' + x = x^2*cos(s + pi/7)")); });
+    EXPECT_EQ(error.diagnostic().rule,
+              "sines and cosines of multiples of pi are those of multiples of pi/12 and pi/10");
+    EXPECT_EQ(error.diagnostic().value, "sin(1/7*pi)");
 }
 
 DivisorVerdict verdict_of(const std::string& second) {
@@ -88,17 +85,12 @@ TEST(Pi, ArcSinesAreArcTangents) {
 }
 
 TEST(Pi, ArcSinesAreOfWhatLiesBetween) {
-    try {
-        field_from(pi_file("x'' + x = acos(a)*x^2", "a = {}\n"));
-        ADD_FAILURE() << "accepted";
-    } catch (const Error& error) {
-        const Diagnostic& d = error.diagnostic();
-        EXPECT_EQ(d.rule, "an arcsine or arccosine is taken only of what is proved to lie between -1 and 1");
-        EXPECT_EQ(d.value, "a");
-        EXPECT_EQ(d.hint,
-                  "declare what is positive: positive = true for a name in it, or [domain] positive = "
-                  "[\"-a^2 + 1\"]");
-    }
+    const Error error = test::error_when([&] { field_from(pi_file("x'' + x = acos(a)*x^2", "a = {}\n")); });
+    const Diagnostic& d = error.diagnostic();
+    EXPECT_EQ(d.rule, "an arcsine or arccosine is taken only of what is proved to lie between -1 and 1");
+    EXPECT_EQ(d.value, "a");
+    EXPECT_EQ(d.hint, "declare what is positive: positive = true for a name in it, or [domain] positive = "
+                      "[\"-a^2 + 1\"]");
 }
 
 // Squares are looked for in what pi and a parameter are factors of.

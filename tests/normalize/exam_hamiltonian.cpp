@@ -4,6 +4,7 @@
 #include "normalize/certified.hpp"
 #include "normalize/hamiltonians.hpp"
 #include "normalize/styles/normalize.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -173,12 +174,8 @@ TEST(HamiltonianLies, NoEnergyAtAll) {
 // --- refusals --------------------------------------------------------------------------------------
 
 std::string message(const std::string& toml) {
-    try {
-        normalized(toml, 3);
-    } catch (const Error& error) {
-        return std::to_string(static_cast<int>(error.kind())) + " " + error.what();
-    }
-    return "";
+    const Error error = test::error_when([&] { normalized(toml, 3); });
+    return std::to_string(static_cast<int>(error.kind())) + " " + error.what();
 }
 
 TEST(HamiltonianRefusals, SystemWithoutEnergy) {

@@ -40,7 +40,7 @@ TEST_P(ASlowFlowsCertificate, HoldsAndBites) {
     ASSERT_NE(solution.flow, nullptr);
     EXPECT_EQ(flow_complaint(solution), "");
     int told = 0;
-    for (const PartOfFlow& part : named_parts(*solution.flow))
+    for (const NamedPart<SlowFlow>& part : named_parts(*solution.flow))
         for (const Term& term : part.truth.terms()) {
             Solution lying = solution;
             SlowFlow flow = *solution.flow;

@@ -2,13 +2,14 @@
 // Known primitives over s = x^2 + r^2.
 #include "solve/quadrature.hpp"
 #include "solve/rings.hpp"
+#include "support/generators.hpp"
 
 #include <gtest/gtest.h>
 
 using namespace resonform;
+using resonform::test::named;
+using resonform::test::root_of;
 using resonform::testing::EighthRoot;
-using resonform::testing::generator;
-using resonform::testing::root;
 
 namespace {
 
@@ -83,9 +84,9 @@ TEST(Quadrature, FindsTheLogarithmOfARadicand) {
 // function.
 TEST(Quadrature, ClosesInARingThatIsNotCanonical) {
     RingBuilder b;
-    const GeneratorId r = b.add(generator(GeneratorKind::parameter, "r", true));
-    const GeneratorId x = b.add(generator(GeneratorKind::slow, "x", true));
-    const GeneratorId sigma = b.add(root("sigma", 2, b.gen(x, 2) + b.gen(r, 2)));
+    const GeneratorId r = b.add(named(GeneratorKind::parameter, "r", true));
+    const GeneratorId x = b.add(named(GeneratorKind::slow, "x", true));
+    const GeneratorId sigma = b.add(root_of("sigma", 2, b.gen(x, 2) + b.gen(r, 2)));
     const RingPtr ring = b.freeze();
     const Polynomial f = ring->multiply(ring->gen(x), ring->gen(sigma, -1)); // x s^(-1/2) -> s^(1/2)
     const auto closed = close_primitive(*ring, x, f);
@@ -109,8 +110,8 @@ TEST(Quadrature, LeavesArcTangentAndHypergeometricOpen) {
 
 TEST(Quadrature, UsesTheSquareWhereTheRootOfTheConstantIsNotInTheRing) {
     RingBuilder b;
-    const GeneratorId x = b.add(generator(GeneratorKind::slow, "x"));
-    const GeneratorId s = b.add(root("sigma", 4, b.gen(x, 2) + Polynomial(Rational(2))));
+    const GeneratorId x = b.add(named(GeneratorKind::slow, "x"));
+    const GeneratorId s = b.add(root_of("sigma", 4, b.gen(x, 2) + Polynomial(Rational(2))));
     const RingPtr ring = b.freeze();
     const auto closed = close_primitive(*ring, x, ring->gen(s, -2)); // 1/sqrt(x^2 + 2)
     ASSERT_TRUE(closed);
@@ -122,8 +123,8 @@ TEST(Quadrature, UsesTheSquareWhereTheRootOfTheConstantIsNotInTheRing) {
 
 TEST(Quadrature, WorksWhereTheSlowVariableIsNotEliminated) {
     RingBuilder b; // x > 0 is invertible, so x^2 stays and sigma^4 is rewritten
-    const GeneratorId x = b.add(generator(GeneratorKind::slow, "x", true));
-    const GeneratorId s = b.add(root("sigma", 4, b.gen(x, 2) + Polynomial(Rational(1))));
+    const GeneratorId x = b.add(named(GeneratorKind::slow, "x", true));
+    const GeneratorId s = b.add(root_of("sigma", 4, b.gen(x, 2) + Polynomial(Rational(1))));
     const RingPtr ring = b.freeze();
     const Polynomial expected = ring->multiply(ring->gen(x), ring->gen(s, -2));
     const auto closed = close_primitive(*ring, x, ring->derivative(expected, x));
@@ -140,11 +141,11 @@ TEST(Quadrature, WorksWhereTheSlowVariableIsNotEliminated) {
 TEST(Quadrature, ClosesBesideAnotherRootOfTheSameVariable) {
     for (const bool other_first : {true, false}) {
         RingBuilder b;
-        const GeneratorId r = b.add(generator(GeneratorKind::parameter, "r", true));
-        const GeneratorId x = b.add(generator(GeneratorKind::slow, "x"));
-        const auto add_other = [&] { b.add(root("rho", 4, b.gen(x, 2) + Polynomial(Rational(1)))); };
+        const GeneratorId r = b.add(named(GeneratorKind::parameter, "r", true));
+        const GeneratorId x = b.add(named(GeneratorKind::slow, "x"));
+        const auto add_other = [&] { b.add(root_of("rho", 4, b.gen(x, 2) + Polynomial(Rational(1)))); };
         if (other_first) add_other();
-        const GeneratorId s = b.add(root("sigma", 4, b.gen(x, 2) + b.gen(r, 2)));
+        const GeneratorId s = b.add(root_of("sigma", 4, b.gen(x, 2) + b.gen(r, 2)));
         if (!other_first) add_other();
         const RingPtr ring = b.freeze();
         const auto closed = close_primitive(*ring, x, ring->multiply(ring->gen(x), ring->gen(s, -2)));
@@ -155,8 +156,8 @@ TEST(Quadrature, ClosesBesideAnotherRootOfTheSameVariable) {
 
 TEST(Quadrature, ClosesExponentials) {
     RingBuilder b; // e' = -2 e
-    const GeneratorId x = b.add(generator(GeneratorKind::slow, "x"));
-    Generator g = generator(GeneratorKind::primitive, "e", true);
+    const GeneratorId x = b.add(named(GeneratorKind::slow, "x"));
+    Generator g = named(GeneratorKind::primitive, "e", true);
     g.derivatives.emplace_back(x, Rational(-2) * b.gen(2));
     const GeneratorId e = b.add(g);
     const RingPtr ring = b.freeze();

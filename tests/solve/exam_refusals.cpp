@@ -4,6 +4,7 @@
 #include "solve/line.hpp"
 #include "solve/solve.hpp"
 #include "solve/systems.hpp"
+#include "support/error_when.hpp"
 #include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
@@ -17,16 +18,12 @@ void expect_error(const std::string& toml, int order, int truncation, ErrorKind 
                   const std::string& value, const std::string& hint, Reason reason = Reason::by_kind) {
     const auto normalization = std::make_shared<const Normalization>(
         normalize_poincare(field_of(read_system_text(toml, "test.toml")), truncation));
-    try {
-        solve(normalization, {order, truncation});
-        FAIL() << "accepted";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), kind);
-        EXPECT_EQ(e.diagnostic().reason, reason);
-        EXPECT_EQ(e.diagnostic().value, value);
-        EXPECT_EQ(e.diagnostic().hint, hint);
-        EXPECT_EQ(e.diagnostic().place.file, "test.toml");
-    }
+    const Error e = test::error_when([&] { solve(normalization, {order, truncation}); });
+    EXPECT_EQ(e.kind(), kind);
+    EXPECT_EQ(e.diagnostic().reason, reason);
+    EXPECT_EQ(e.diagnostic().value, value);
+    EXPECT_EQ(e.diagnostic().hint, hint);
+    EXPECT_EQ(e.diagnostic().place.file, "test.toml");
 }
 
 TEST(Refusal, ASlowVariableThatRests) {

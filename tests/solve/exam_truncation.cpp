@@ -5,6 +5,7 @@
 #include "solve/line.hpp"
 #include "solve/systems.hpp"
 #include "solve/time_scale.hpp"
+#include "support/error_when.hpp"
 #include "support/system_text.hpp"
 
 #include <gtest/gtest.h>
@@ -46,28 +47,20 @@ TEST(Truncation, CountsTheTwistOnLongerTimes) {
 }
 
 TEST(Truncation, RefusesLongerTimesForASlowVariableThatRunsAway) {
-    try {
-        count_truncation(*field_of(pendulum()), scene(3, 2));
-        FAIL() << "not refused";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused);
-        EXPECT_EQ(e.diagnostic().value, "time_scale = 2, xi' = O(eps) of constant sign");
-        EXPECT_EQ(e.diagnostic().hint, "use time_scale = 1, or give the truncation yourself");
-        EXPECT_EQ(e.diagnostic().place.file, "scene.toml");
-        EXPECT_EQ(e.diagnostic().place.line, 2);
-    }
+    const Error e = test::error_when([&] { count_truncation(*field_of(pendulum()), scene(3, 2)); });
+    EXPECT_EQ(e.kind(), ErrorKind::refused);
+    EXPECT_EQ(e.diagnostic().value, "time_scale = 2, xi' = O(eps) of constant sign");
+    EXPECT_EQ(e.diagnostic().hint, "use time_scale = 1, or give the truncation yourself");
+    EXPECT_EQ(e.diagnostic().place.file, "scene.toml");
+    EXPECT_EQ(e.diagnostic().place.line, 2);
 }
 
 void expect_refused(const Solution& solution, const Scene& scene, const std::string& value,
                     const std::string& hint) {
-    try {
-        check_time_scale(solution, scene);
-        FAIL() << "not refused";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused);
-        EXPECT_EQ(e.diagnostic().value, value);
-        EXPECT_EQ(e.diagnostic().hint, hint);
-    }
+    const Error e = test::error_when([&] { check_time_scale(solution, scene); });
+    EXPECT_EQ(e.kind(), ErrorKind::refused);
+    EXPECT_EQ(e.diagnostic().value, value);
+    EXPECT_EQ(e.diagnostic().hint, hint);
 }
 
 const char* const to_one = "use time_scale = 1, or give the truncation yourself";

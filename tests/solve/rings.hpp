@@ -3,27 +3,12 @@
 #pragma once
 
 #include "algebra/ring/ring.hpp"
-
-#include <string>
+#include "support/generators.hpp"
 
 namespace resonform::testing {
 
-inline Generator generator(GeneratorKind kind, const std::string& name, bool positive = false) {
-    Generator g;
-    g.kind = kind;
-    g.name = name;
-    g.positive = positive;
-    g.invertible = positive;
-    g.weight = kind == GeneratorKind::fast || kind == GeneratorKind::small ? 1 : 0;
-    return g;
-}
-
-inline Generator root(const std::string& name, int index, const Polynomial& radicand) {
-    Generator g = generator(GeneratorKind::root, name, true);
-    g.index = index;
-    g.radicand = radicand;
-    return g;
-}
+using test::named;
+using test::root_of;
 
 // i, r > 0, v, x, rho with rho^8 = x^2 + r^2
 struct EighthRoot {
@@ -32,10 +17,10 @@ struct EighthRoot {
 
     EighthRoot() {
         RingBuilder b;
-        r = b.add(generator(GeneratorKind::parameter, "r", true));
-        v = b.add(generator(GeneratorKind::parameter, "v"));
-        x = b.add(generator(GeneratorKind::slow, "x"));
-        rho = b.add(root("rho", 8, b.gen(x, 2) + b.gen(r, 2)));
+        r = b.add(named(GeneratorKind::parameter, "r", true));
+        v = b.add(named(GeneratorKind::parameter, "v"));
+        x = b.add(named(GeneratorKind::slow, "x"));
+        rho = b.add(root_of("rho", 8, b.gen(x, 2) + b.gen(r, 2)));
         ring = b.freeze();
     }
 

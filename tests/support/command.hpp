@@ -32,7 +32,29 @@ protected:
         EXPECT_EQ(outcome.code, 0) << command << outcome.err;
         return outcome.out;
     }
+    // Code 2, nothing printed, and a message that begins with `message`.
+    void expect_bad_input(const std::string& command, const std::string& message) const {
+        const Outcome outcome = said(command);
+        EXPECT_EQ(outcome.code, 2) << command;
+        EXPECT_EQ(outcome.out, "") << command;
+        EXPECT_EQ(outcome.err.rfind("resonform: " + message, 0), 0U) << command << "\n" << outcome.err;
+    }
+    [[nodiscard]] std::string file(const std::string& name) const { return read(scratch_.path() / name); }
     Scratch scratch_;
+};
+
+class CommandOfSpring : public Command {
+protected:
+    CommandOfSpring() { write_spring(scratch_.path()); }
+};
+
+class SweepOfSpring : public CommandOfSpring {
+protected:
+    // In which `sweep WORDS` sweeps the scene.
+    [[nodiscard]] Outcome shell(const std::string& commands) const {
+        return run("sweep() { resonform sweep systems/spring/scenes/s.toml \"$@\"; }\n" + commands,
+                   scratch_.path());
+    }
 };
 
 } // namespace resonform::test

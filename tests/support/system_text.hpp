@@ -25,4 +25,20 @@ inline std::string system_text(const std::string& name, const std::vector<Unknow
            equations;
 }
 
+// z rises with the angular momentum of x, y, which is a constant.
+inline const char* const particle = R"toml(
+[system]
+name = "particle"
+[parameters]
+omega = { positive = true }
+[variables]
+x = { role = "fast", weight = 0 }
+y = { role = "fast", weight = 0 }
+z = { role = "drift" }
+[equations]
+x = "x'' + omega^2*x = 0"
+y = "y'' + omega^2*y = 0"
+z = "z' = eps*(x'*y - y'*x)"
+)toml";
+
 } // namespace resonform::test

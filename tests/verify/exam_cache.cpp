@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/error.hpp"
+#include "support/error_when.hpp"
 #include "support/shell.hpp"
 #include "verify/run/cache.hpp"
 
@@ -66,13 +67,9 @@ TEST(Cache, SaysThatItCannotWrite) {
     const test::Scratch scratch;
     const auto blocked = scratch.path() / "blocked";
     write_atomically(blocked, "a file where a folder is wanted");
-    try {
-        store_checked(blocked / "entry", "payload");
-        FAIL() << "wrote below a file";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.diagnostic().rule, "the folder of cached results can be written");
-        EXPECT_EQ(error.diagnostic().place.file, blocked.string());
-    }
+    const Error error = test::error_when([&] { store_checked(blocked / "entry", "payload"); });
+    EXPECT_EQ(error.diagnostic().rule, "the folder of cached results can be written");
+    EXPECT_EQ(error.diagnostic().place.file, blocked.string());
 }
 
 } // namespace

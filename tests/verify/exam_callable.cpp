@@ -3,6 +3,7 @@
 #include "algebra/number/error.hpp"
 #include "emit/cpp/cpp.hpp"
 #include "own_system.hpp"
+#include "support/error_when.hpp"
 #include "support/shell.hpp"
 
 #include <gtest/gtest.h>
@@ -28,12 +29,7 @@ protected:
         return emit_cpp(*test::program_of(scene));
     }
     std::string message(const std::string& functions, const std::string& system = two_functions) {
-        try {
-            header(functions, system);
-            return "no error";
-        } catch (const Error& error) {
-            return error.what();
-        }
+        return test::message_when([&] { header(functions, system); });
     }
 };
 

@@ -8,6 +8,7 @@
 
 #include "model/files/read_scene.hpp"
 #include "support/compiler.hpp"
+#include "support/error_when.hpp"
 #include "support/program.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -41,12 +42,8 @@ std::vector<fs::path> files_of_kind(const fs::path& folder, const std::string& e
 
 Diagnostic refusal_with(const char* compiler, const fs::path& cache) {
     const test::OtherCompiler chosen(compiler);
-    try {
-        EvaluatorLibrary::build(*test::program_of(stiffening_scene()), cache, {});
-    } catch (const Error& error) {
-        return error.diagnostic();
-    }
-    return {};
+    const auto program = test::program_of(stiffening_scene());
+    return test::error_when([&] { EvaluatorLibrary::build(*program, cache, {}); }).diagnostic();
 }
 
 // A compiler that compiles once, and then gives what it has made.

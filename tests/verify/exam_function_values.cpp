@@ -2,6 +2,7 @@
 // Scenes that give their system's functions a value: derived, emitted and verified as if it had been written.
 #include "emit/cpp/cpp.hpp"
 #include "own_system.hpp"
+#include "support/error_when.hpp"
 
 #include <gtest/gtest.h>
 
@@ -79,13 +80,9 @@ TEST_F(FunctionValues, StandInStartValues) {
                                   "[energy]\npotential = \"f(s)*x^2/2\"\n";
     for (const Scene& scene : {read(related, scene_with("k = 3\n")), read(cancelled, scene_with("m = 6\n"))})
         EXPECT_TRUE(scene.fixed(scene.start_of("x'")->value).is_equal(30 * scene.system->eps));
-    try {
-        read(cancelled, scene_with(""));
-        FAIL() << "accepted";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-        EXPECT_EQ(error.diagnostic().value, "f");
-    }
+    const Error error = test::error_when([&] { read(cancelled, scene_with("")); });
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+    EXPECT_EQ(error.diagnostic().value, "f");
 }
 
 } // namespace

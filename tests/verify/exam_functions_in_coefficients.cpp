@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes whose coefficients hold functions of slow variables and parameters: every function that is read.
 #include "own_system.hpp"
+#include "support/error_when.hpp"
 #include "verify/evaluate/interpreter.hpp"
 
 #include <gtest/gtest.h>
@@ -69,15 +70,11 @@ TEST(FunctionsByName, AreNotSolved) {
         "x = { role = \"fast\" }\ntau = { role = \"slow\" }\n[equations]\n"
         "x = \"x'' + omega(tau)^2*x = 0\"\ntau = \"tau' = eps\"\n",
         "named.toml");
-    try {
-        test::derive(std::make_shared<const System>(named), 1, 2);
-        FAIL() << "accepted";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused);
-        EXPECT_EQ(e.diagnostic().value, "omega(tau)");
-        EXPECT_EQ(e.diagnostic().hint,
-                  "give omega a value under [functions] of a scene, or derive the normal form");
-    }
+    const Error e = test::error_when([&] { test::derive(std::make_shared<const System>(named), 1, 2); });
+    EXPECT_EQ(e.kind(), ErrorKind::refused);
+    EXPECT_EQ(e.diagnostic().value, "omega(tau)");
+    EXPECT_EQ(e.diagnostic().hint,
+              "give omega a value under [functions] of a scene, or derive the normal form");
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "emit/cpp/cpp.hpp"
 #include "emit/program/build_program.hpp"
 #include "own_system.hpp"
+#include "support/error_when.hpp"
 #include "verify/report/json.hpp"
 #include "verify/stability/stability.hpp"
 
@@ -44,12 +45,7 @@ protected:
         EXPECT_LE(v.emitted.worst(), 4) << to_text(v.emitted);
     }
     std::string refusal_of(const std::string& system, const std::string& scene) {
-        try {
-            written(system, scene);
-        } catch (const Error& error) {
-            return error.what();
-        }
-        return "";
+        return test::message_when([&] { written(system, scene); });
     }
 };
 

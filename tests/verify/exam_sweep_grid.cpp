@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The points of a sweep: ends included, each number rounded once, samples by the published generator.
 #include "algebra/number/error.hpp"
+#include "support/error_when.hpp"
 #include "verify/sweep/grid.hpp"
 #include "verify/sweep/size.hpp"
 
@@ -12,12 +13,8 @@ namespace {
 std::vector<double> values_of(const std::string& text) { return SweepGrid({text}, {}).values(0); }
 
 std::string rule_broken_by(const std::vector<std::string>& over) {
-    try {
-        const SweepGrid grid(over, {});
-    } catch (const Error& error) {
-        return error.diagnostic().rule;
-    }
-    return "";
+    const Error error = test::error_when([&] { const SweepGrid grid(over, {}); });
+    return error.diagnostic().rule;
 }
 
 } // namespace

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/binary_parts.hpp"
 
-#include <cln/dfloat.h>
-
 #include <cstdlib>
 
 namespace resonform {
@@ -16,7 +14,7 @@ BinaryParts binary_parts(const Rational& value, std::size_t count) {
     Rational rest = value * cln::expt(Rational(2), -result.exponent);
     while (!cln::zerop(rest) && result.parts.size() < count) {
         result.parts.push_back(cln::double_approx(rest));
-        rest = rest - cln::rational(cln::cl_DF(result.parts.back()));
+        rest = rest - exact_rational(result.parts.back());
     }
     return result;
 }

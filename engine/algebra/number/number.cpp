@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 
+#include <cln/dfloat.h>
 #include <cln/integer_io.h>
 #include <cln/rational_io.h>
 #include <cln/real.h>
@@ -143,6 +144,8 @@ Rational common_measure(const Rational& a, const Rational& b) {
 }
 
 double to_double(const Rational& value) { return cln::double_approx(value); }
+
+Rational exact_rational(double value) { return cln::rational(cln::cl_DF(value)); }
 
 bool exact_root(const Rational& value, int k, Rational& root) {
     if (k < 1) return false;

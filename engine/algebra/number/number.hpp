@@ -19,6 +19,7 @@ Rational parse_rational(std::string_view text);
 
 std::string to_string(const Rational& value); // "-3/4", "5"
 double to_double(const Rational& value);
+Rational exact_rational(double value); // 0.5 -> 1/2; precondition: finite
 
 Rational power_of_ten(int n); // n of any sign
 

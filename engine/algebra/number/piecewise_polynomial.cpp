@@ -15,8 +15,6 @@ using Values = std::vector<Rational>;
 
 constexpr int most_halvings = 40;
 
-Rational exact(double x) { return cln::rational(cln::cl_F(x)); }
-
 // sum_j c_j (h x)^j on 0 <= x <= 1 by its Bernstein coefficients b_i = sum_{j <= i} C(i, j)/C(n, j) c_j h^j.
 Values bernstein(Values c, const Rational& h) {
     const int n = static_cast<int>(c.size()) - 1;
@@ -58,19 +56,19 @@ bool is_positive(const Values& b, int halvings) {
 } // namespace
 
 bool PiecewisePolynomial::holds(const Rational& x) const {
-    return !(x < exact(breakpoints.front())) && !(exact(breakpoints.back()) < x);
+    return !(x < exact_rational(breakpoints.front())) && !(exact_rational(breakpoints.back()) < x);
 }
 
 Rational PiecewisePolynomial::at(const Rational& x, int derivative) const {
     std::size_t piece = pieces() - 1;
-    while (piece > 0 && x < exact(breakpoints[piece])) --piece;
-    const Rational u = x - exact(breakpoints[piece]);
+    while (piece > 0 && x < exact_rational(breakpoints[piece])) --piece;
+    const Rational u = x - exact_rational(breakpoints[piece]);
     const auto terms = static_cast<std::size_t>(degree) + 1;
     Rational sum = 0;
     for (int j = degree; j >= derivative; --j) {
         Rational factor = 1;
         for (int k = 0; k < derivative; ++k) factor = factor * (j - k);
-        sum = sum * u + factor * exact(coefficients[piece * terms + static_cast<std::size_t>(j)]);
+        sum = sum * u + factor * exact_rational(coefficients[piece * terms + static_cast<std::size_t>(j)]);
     }
     return sum;
 }
@@ -80,8 +78,9 @@ int PiecewisePolynomial::sign() const {
     const auto terms = static_cast<std::size_t>(degree) + 1;
     for (std::size_t k = 0; k < pieces(); ++k) {
         Values c;
-        for (std::size_t j = 0; j < terms; ++j) c.push_back(wanted * exact(coefficients[k * terms + j]));
-        const Rational width = exact(breakpoints[k + 1]) - exact(breakpoints[k]);
+        for (std::size_t j = 0; j < terms; ++j)
+            c.push_back(wanted * exact_rational(coefficients[k * terms + j]));
+        const Rational width = exact_rational(breakpoints[k + 1]) - exact_rational(breakpoints[k]);
         if (!is_positive(bernstein(std::move(c), width), most_halvings)) return 0;
     }
     return wanted;

@@ -36,6 +36,15 @@ std::size_t hash_of(const SeriesProgram::Instruction& instruction) {
     return hash;
 }
 
+SeriesProgram::Instruction operation(SeriesProgram::Op op, SeriesProgram::Node left = -1,
+                                     SeriesProgram::Node right = -1) {
+    SeriesProgram::Instruction result;
+    result.op = op;
+    result.left = left;
+    result.right = right;
+    return result;
+}
+
 } // namespace
 
 SeriesProgram::SeriesProgram(RingPtr ring) : ring_(std::move(ring)) {}
@@ -56,8 +65,7 @@ SeriesProgram::Node SeriesProgram::intern(Instruction instruction) {
 }
 
 SeriesProgram::Node SeriesProgram::input(std::string name) {
-    Instruction in;
-    in.op = Op::input;
+    Instruction in = operation(Op::input);
     in.name = std::move(name);
     return append(std::move(in));
 }
@@ -66,15 +74,13 @@ SeriesProgram::Node SeriesProgram::constant(const Polynomial& p) {
     const Polynomial reduced = ring_->reduce(p);
     int through = 0;
     for (const Term& t : reduced.terms()) through = std::max(through, ring_->weight(t.monomial));
-    Instruction c;
-    c.op = Op::constant;
+    Instruction c = operation(Op::constant);
     c.parts = ring_->by_weight(reduced, through);
     return intern(std::move(c));
 }
 
 SeriesProgram::Node SeriesProgram::number(std::size_t index) {
-    Instruction n;
-    n.op = Op::number;
+    Instruction n = operation(Op::number);
     n.index = index;
     return intern(std::move(n));
 }
@@ -82,8 +88,7 @@ SeriesProgram::Node SeriesProgram::number(std::size_t index) {
 SeriesProgram::Node SeriesProgram::sum(const std::vector<std::pair<Rational, Node>>& addends) {
     std::map<Node, Rational> collected;
     for (const auto& addend : addends) collected[addend.second] = collected[addend.second] + addend.first;
-    Instruction s;
-    s.op = Op::sum;
+    Instruction s = operation(Op::sum);
     for (const auto& entry : collected) {
         if (!cln::zerop(entry.second)) s.addends.emplace_back(entry.second, entry.first);
     }
@@ -93,11 +98,7 @@ SeriesProgram::Node SeriesProgram::sum(const std::vector<std::pair<Rational, Nod
 }
 
 SeriesProgram::Node SeriesProgram::product(Node a, Node b) {
-    Instruction p;
-    p.op = Op::product;
-    p.left = std::min(a, b);
-    p.right = std::max(a, b);
-    return intern(std::move(p));
+    return intern(operation(Op::product, std::min(a, b), std::max(a, b)));
 }
 
 // Sine and cosine need each other's lower parts: each names the other as its right operand.
@@ -106,47 +107,25 @@ SeriesProgram::Node SeriesProgram::sine(Node u) {
         if (known.first == u) return known.second.first;
     }
     const Node first = static_cast<Node>(instructions_.size());
-    Instruction s, c;
-    s.op = Op::sine;
-    c.op = Op::cosine;
-    s.left = c.left = u;
-    s.right = first + 1;
-    c.right = first;
-    append(std::move(s));
-    append(std::move(c));
+    append(operation(Op::sine, u, first + 1));
+    append(operation(Op::cosine, u, first));
     trigonometric_.push_back({u, {first, first + 1}});
     return first;
 }
 
 SeriesProgram::Node SeriesProgram::cosine(Node u) { return sine(u) + 1; }
 
-SeriesProgram::Node SeriesProgram::exponential(Node u) {
-    Instruction e;
-    e.op = Op::exponential;
-    e.left = u;
-    return intern(std::move(e));
-}
+SeriesProgram::Node SeriesProgram::exponential(Node u) { return intern(operation(Op::exponential, u)); }
 
-SeriesProgram::Node SeriesProgram::logarithm(Node u) {
-    Instruction l;
-    l.op = Op::logarithm;
-    l.left = u;
-    return intern(std::move(l));
-}
+SeriesProgram::Node SeriesProgram::logarithm(Node u) { return intern(operation(Op::logarithm, u)); }
 
 SeriesProgram::Node SeriesProgram::antiderivative(Node u, Node slope) {
-    Instruction a;
-    a.op = Op::antiderivative;
-    a.left = u;
-    a.right = slope;
-    return intern(std::move(a));
+    return intern(operation(Op::antiderivative, u, slope));
 }
 
 SeriesProgram::Node SeriesProgram::power(Node u, const Rational& exponent, const Place& place) {
     if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) {
-        Instruction p;
-        p.op = Op::power;
-        p.left = u;
+        Instruction p = operation(Op::power, u);
         p.exponent = exponent;
         p.place = place;
         return intern(std::move(p));

@@ -28,15 +28,15 @@ int points_needed(double bound, const System& system) {
     return std::max(fewest_points, static_cast<int>(std::ceil(std::log(wanted_error) / std::log(bound))));
 }
 
-std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
-                         const System& system, int order) {
+std::string complaint_of(const CertificatePlan& plan, const System& system, int order,
+                         const std::function<bool(Slot slot, int weight)>& vanishes) {
     const VanishingCheck* worst = nullptr;
     int lowest = 0;
     for (const VanishingCheck& check : plan.checks) {
         if (worst != nullptr && worst->stage < check.stage) continue;
         const int last = check.weight + (check.above_order ? order : 0);
         int weight = 0;
-        while (weight <= last && run(check.slot, weight, n) == 0) ++weight;
+        while (weight <= last && vanishes(check.slot, weight)) ++weight;
         if (weight > last || (worst != nullptr && worst->stage == check.stage && weight >= lowest)) continue;
         worst = &check;
         lowest = weight;
@@ -45,13 +45,22 @@ std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::
                             : fmt::format("weight {}: {}", to_string(system.weight(lowest)), worst->sentence);
 }
 
+std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
+                         const System& system, int order) {
+    return complaint_of(plan, system, order,
+                        [&](Slot slot, int weight) { return run(slot, weight, n) == 0; });
+}
+
+void refuse_undetermined(const System& system) {
+    refuse({"at the origin no denominator of the equations vanishes and their highest derivatives are "
+            "determined",
+            system.name,
+            "divide the equations by what vanishes at the origin",
+            {}});
+}
+
 void UnluckyPoints::count(const System& system) {
-    if (++so_far_ > unlucky_points_allowed)
-        refuse({"at the origin no denominator of the equations vanishes and their highest derivatives are "
-                "determined",
-                system.name,
-                "divide the equations by what vanishes at the origin",
-                {}});
+    if (++so_far_ > unlucky_points_allowed) refuse_undetermined(system);
 }
 
 } // namespace resonform

@@ -10,6 +10,7 @@
 #include "expand/expansion/graded_field.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -20,9 +21,15 @@ constexpr double wanted_error = 1e-30;
 // bound: of the probability of an error at one point (bound.hpp). Error (refused): it is too large.
 int points_needed(double bound, const System& system);
 
-// The first check that fails at the n-th point of a run, by stage and then by weight; "" if all hold.
+// The first check that fails, by stage and then by weight; "" if all hold.
+std::string complaint_of(const CertificatePlan& plan, const System& system, int order,
+                         const std::function<bool(Slot slot, int weight)>& vanishes);
+// At the n-th point of a run.
 std::string complaint_of(const CertificatePlan& plan, const PointRun& run, std::size_t n,
                          const System& system, int order);
+
+// Error (refused): the equations do not determine their highest derivatives at the origin.
+[[noreturn]] void refuse_undetermined(const System& system);
 
 // Counts the batches of points that were in vain. Error (refused): there are too many.
 class UnluckyPoints {

@@ -25,7 +25,13 @@ public:
         const std::size_t offset = offsets_[static_cast<std::size_t>(slot)];
         return values_[offset + static_cast<std::size_t>(weight)][n];
     }
-    // The coefficient of t^0, as a residue.
+    // The coefficients of t^0, as residues.
+    [[nodiscard]] std::vector<Residue> at_origin(const std::vector<Slot>& slots, std::size_t n) const {
+        std::vector<Residue> values;
+        values.reserve(slots.size());
+        for (const Slot slot : slots) values.push_back(at_origin(slot, n));
+        return values;
+    }
     [[nodiscard]] Residue at_origin(Slot slot, std::size_t n) const {
         return arithmetic_[n].leave((*this)(slot, 0, n));
     }

@@ -7,7 +7,6 @@
 #include "model/text/diagnostic.hpp"
 #include "model/text/regular.hpp"
 
-#include <cln/dfloat.h>
 #include <cln/real.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -73,7 +72,7 @@ double DeclaredDomain::number(const GiNaC::ex& value, const Rational& eps, doubl
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const auto found = where_regular([&] {
         const GiNaC::lst point{system_.eps == system_.small_at(eps),
-                               time_ == GiNaC::numeric(cln::cl_N(cln::rational(cln::cl_DF(t))))};
+                               time_ == GiNaC::numeric(cln::cl_N(exact_rational(t)))};
         const GiNaC::ex e = system_.with_data(value.subs(point)).evalf();
         const bool real = GiNaC::is_a<GiNaC::numeric>(e) && GiNaC::ex_to<GiNaC::numeric>(e).is_real();
         return real ? GiNaC::ex_to<GiNaC::numeric>(e).to_double() : none;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace resonform {
 
@@ -75,17 +76,28 @@ std::size_t straight_tail(const std::vector<double>& slopes) {
     return n;
 }
 
-double least_squares_slope(const std::vector<Point>& points, std::size_t first) {
+struct Line {
+    double slope, at_zero;
+};
+// The straight line nearest to u, w = coordinates(point) of the points from `first` on, by least squares.
+template <class Coordinates>
+Line nearest_line(const std::vector<Point>& points, std::size_t first, const Coordinates& coordinates) {
     const double n = static_cast<double>(points.size() - first);
     double x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = first; i < points.size(); ++i) {
-        const double u = std::log(points[i].small), w = std::log(points[i].error);
+        const auto [u, w] = coordinates(points[i]);
         x += u;
         y += w;
         xx += u * u;
         xy += u * w;
     }
-    return (n * xy - x * y) / (n * xx - x * x);
+    const double determinant = n * xx - x * x;
+    return {(n * xy - x * y) / determinant, (y * xx - x * xy) / determinant};
+}
+
+double least_squares_slope(const std::vector<Point>& points, std::size_t first) {
+    const auto logarithms = [](const Point& p) { return std::pair(std::log(p.small), std::log(p.error)); };
+    return nearest_line(points, first, logarithms).slope;
 }
 
 // e = a eps^k + b eps^{k+1} has the local slope k + c m at the logarithmic mean m of its two eps:
@@ -116,16 +128,10 @@ bool departs(const std::vector<double>& slopes, int order) {
 
 // The limit of error/eps^order: the straight line in eps through the points from `first` on, at 0.
 double limiting_constant(const std::vector<Point>& points, std::size_t first, int order) {
-    const double n = static_cast<double>(points.size() - first);
-    double x = 0, y = 0, xx = 0, xy = 0;
-    for (std::size_t i = first; i < points.size(); ++i) {
-        const double eps = points[i].small, ratio = points[i].error / std::pow(eps, order);
-        x += eps;
-        y += ratio;
-        xx += eps * eps;
-        xy += eps * ratio;
-    }
-    return (y * xx - x * xy) / (n * xx - x * x);
+    const auto ratio = [order](const Point& p) {
+        return std::pair(p.small, p.error / std::pow(p.small, order));
+    };
+    return nearest_line(points, first, ratio).at_zero;
 }
 
 void undecided(OutputVerdict& output, std::string reason) {

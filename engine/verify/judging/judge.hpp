@@ -41,6 +41,10 @@ struct OutputVerdict {
     double constant = 0;                                     // lim max|error| / eps^found_order
     // An order as the user counts it.
     [[nodiscard]] Rational order(int held) const { return Rational(held) / eps_root; }
+    // The ladder shows a lower order than is claimed: `reason` says no more than the orders do.
+    [[nodiscard]] bool fails_by_order() const {
+        return verdict == Verdict::fail && found_order && *found_order < claimed_order;
+    }
     std::string reason;                    // when undecided or failed
     std::vector<LadderRung> ladder;        // eps descending
     std::vector<LadderRung> layer;         // the same within t <= 20/|Re lambda|, where modes decay

@@ -47,7 +47,7 @@ std::vector<Lie> lies_in_formulas(const Normalization& normalization) {
 std::vector<Lie> lies_in_flow(const Solution& solution) {
     Solution lying = solution;
     std::vector<Lie> lies;
-    for (const PartOfFlow& part : named_parts(*solution.flow))
+    for (const NamedPart<SlowFlow>& part : named_parts(*solution.flow))
         for (std::size_t k = 0; k < part.truth.size(); ++k) {
             SlowFlow flow = *solution.flow;
             part.put(flow, part.truth - Rational(2) * Polynomial::from_terms({part.truth.terms()[k]}));

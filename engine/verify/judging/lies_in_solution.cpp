@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "algebra/number/error.hpp"
 #include "emit/program/build_program.hpp"
+#include "solve/flow/named_parts.hpp"
 #include "verify/judging/descent.hpp"
 #include "verify/judging/emitted_judge.hpp"
 #include "verify/judging/guarantee.hpp"
@@ -12,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,41 +23,21 @@ namespace resonform {
 
 namespace {
 
-// A polynomial of a solution, and how another one is put in its place.
-struct PlaceInSolution {
-    std::string name;
-    Polynomial truth;
-    std::function<void(Solution& solution, const Polynomial& p)> put;
-};
-
-class PlacesInSolution {
-public:
-    // judged: the outputs of which the ladder judges every term, and their claims. Where there is none, there
-    // is no place.
-    PlacesInSolution(const Solution& solution, const Claims& judged) {
-        if (judged.empty()) return;
-        for (std::size_t k = 0; k < solution.modes.size(); ++k)
-            add(fmt::format("solution, phase rate {}", k), solution.modes[k].phase_rate,
-                [k](Solution& s) -> Series& { return s.modes[k].phase_rate; });
-        for (std::size_t k = 0; k < solution.primitives.size(); ++k)
-            all_.push_back({"solution, " + solution.primitives[k].name, solution.primitives[k].argument,
-                            [k](Solution& s, const Polynomial& p) { s.primitives[k].argument = p; }});
-        for (std::size_t k = 0; k < solution.outputs.size(); ++k)
-            if (judged.count(solution.outputs[k].name) > 0)
-                add("solution, " + solution.outputs[k].name, solution.outputs[k].value,
-                    [k](Solution& s) -> Series& { return s.outputs[k].value; });
-    }
-    [[nodiscard]] const std::vector<PlaceInSolution>& all() const { return all_; }
-
-private:
-    template <class Find> void add(const std::string& name, const Series& truth, const Find& find) {
-        for (int n = 0; n <= truth.through(); ++n)
-            all_.push_back({fmt::format("{}, weight {}", name, n), truth.part(n),
-                            [find, n](Solution& s, const Polynomial& p) { find(s).set(n, p); }});
-    }
-
-    std::vector<PlaceInSolution> all_;
-};
+// judged: the outputs of which the ladder judges every term, and their claims. Where there is none, no part
+// is lied about.
+std::vector<NamedPart<Solution>> named_parts(const Solution& solution, const Claims& judged) {
+    NamedParts<Solution> parts;
+    if (judged.empty()) return {};
+    parts.add_each(solution, &Solution::modes, numbered("phase rate"), &ModeSolution::phase_rate);
+    parts.add_each(
+        solution, &Solution::primitives, [&](std::size_t k) { return solution.primitives[k].name; },
+        &Primitive::argument);
+    for (std::size_t k = 0; k < solution.outputs.size(); ++k)
+        if (judged.count(solution.outputs[k].name) > 0)
+            parts.add(solution.outputs[k].name, solution.outputs[k].value,
+                      [k](Solution& s) -> Series& { return s.outputs[k].value; });
+    return parts.all();
+}
 
 // The polynomial with the other sign of its k-th term; of one that is real, also of the term's conjugate, so
 // that it stays real: once for both, nullopt for the second.
@@ -68,12 +48,6 @@ std::optional<Polynomial> with_lie(const Ring& ring, const Polynomial& truth, st
     for (std::size_t before = 0; before < k; ++before)
         if (truth.terms()[before].monomial == conjugate.terms().front().monomial) return std::nullopt;
     return truth - Rational(2) * (term + conjugate);
-}
-
-Solution with(const Solution& truth, const PlaceInSolution& place, const Polynomial& p) {
-    Solution lie = truth;
-    place.put(lie, p);
-    return lie;
 }
 
 // The ladder, rung by rung, as verify goes down it.
@@ -219,13 +193,14 @@ void lies_in_solution(const std::shared_ptr<const FirstOrderSystem>& system, con
     EffectOfLies effect(scene, solution, options);
     LadderOfLies ladder(system, scene, options);
     ladder.learn(solution);
-    const PlacesInSolution places(solution, ladder.judged());
-    for (const PlaceInSolution& place : places.all())
-        for (std::size_t term = 0; term < place.truth.size(); ++term) {
-            const std::optional<Polynomial> p = with_lie(*solution.ring, place.truth, term);
+    for (const NamedPart<Solution>& part : named_parts(solution, ladder.judged()))
+        for (std::size_t term = 0; term < part.truth.size(); ++term) {
+            const std::optional<Polynomial> p = with_lie(*solution.ring, part.truth, term);
             if (!p) continue;
-            Lie lie{"", fmt::format("{}, term {}", place.name, term + 1), "sign"};
-            try_lie(with(solution, place, *p), effect, ladder, lies.clear_of_threshold(), lie);
+            Solution lying = solution;
+            part.put(lying, *p);
+            Lie lie{"", fmt::format("solution, {}, term {}", part.name, term + 1), "sign"};
+            try_lie(lying, effect, ladder, lies.clear_of_threshold(), lie);
             lies.all.push_back(std::move(lie));
         }
 }

@@ -37,9 +37,7 @@ std::string verdict_line(const OutputVerdict& o, const Conditions& c) {
             fmt::format("\n           in the layer, t <= 20/|Re lambda|: max|error| {:.2e} at eps = {:g}{}",
                         o.layer.back().max_error, to_double(o.layer.back().eps),
                         std::isfinite(o.layer_slope) ? fmt::format(", slope {:.3f}", o.layer_slope) : "");
-    // A failure that the ladder found is in the line already.
-    const bool told = o.verdict == Verdict::fail && o.found_order && *o.found_order < o.claimed_order;
-    if (!o.reason.empty() && !told) line += "\n           " + o.reason;
+    if (!o.reason.empty() && !o.fails_by_order()) line += "\n           " + o.reason;
     return line + "\n";
 }
 

@@ -57,8 +57,7 @@ Statement of_output(const OutputVerdict& o, const Conditions& c) {
         text += fmt::format(": slope {:.3f}, constant {} (max |Δ{}| → {} {})", o.slope,
                             short_number(o.constant, 4), pretty(o.name), short_number(o.constant, 4),
                             power_of_eps(o.order(*o.found_order)));
-    const bool told = o.verdict == Verdict::fail && o.found_order && *o.found_order < o.claimed_order;
-    if (!o.reason.empty() && !told) text += ": " + typeset(o.reason);
+    if (!o.reason.empty() && !o.fails_by_order()) text += ": " + typeset(o.reason);
     return {to_string(o.verdict), text + expectation_of(o)};
 }
 

@@ -3,7 +3,6 @@
 
 #include "algebra/number/error.hpp"
 
-#include <cln/dfloat.h>
 #include <cln/rational_io.h>
 
 namespace resonform {
@@ -14,7 +13,7 @@ Parts to_parts(const Rational& value) {
     Rational rest = value;
     for (double& part : parts) {
         part = cln::double_approx(rest);
-        rest = rest - (std::isfinite(part) ? cln::rational(cln::cl_DF(part)) : 0);
+        rest = rest - (std::isfinite(part) ? exact_rational(part) : 0);
     }
     const bool large = !std::isfinite(parts[0]);
     if (large || (!cln::zerop(value) && std::abs(parts[0]) < least))

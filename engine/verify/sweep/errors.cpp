@@ -12,7 +12,6 @@
 #include "verify/judging/start_scaling.hpp"
 #include "verify/run/cache.hpp"
 
-#include <cln/float.h>
 #include <cln/real.h>
 #include <fmt/format.h>
 
@@ -30,7 +29,6 @@ namespace {
 constexpr std::array<int, 3> parts_of_eps{2, 4, 8}; // the rungs below the point's own
 constexpr double most_digits = 6;
 
-Rational exact_number(double x) { return cln::rational(cln::cl_DF(x)); }
 GiNaC::numeric numeric(const Rational& x) { return GiNaC::numeric(cln::cl_N(x)); }
 
 // In the digits that are clear of the rounding of the integration, at most six; 0 where none are.
@@ -152,12 +150,12 @@ Status SweepErrors::status_at_start(const GivenArguments& given, double& end) co
 // The arguments are doubles, which are exact numbers.
 Scene SweepErrors::scene_at(const GivenArguments& given) const {
     Scene scene = scene_;
-    const Rational eps = exact_number(given.at("eps"));
+    const Rational eps = exact_rational(given.at("eps"));
     scene.verify.eps = {eps};
     scene.verify.eps_given = true;
     for (const auto& [name, number] : given) {
         if (name == "eps") continue;
-        const GiNaC::numeric value = numeric(exact_number(number));
+        const GiNaC::numeric value = numeric(exact_rational(number));
         const auto is_it = [&, &canonical = name](const StartValue& s) {
             return canonical_start(s.name, *scene.system) == canonical;
         };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ladders of scenes with modes that are damped at eps = 0, the first moments included, and liars among them.
 #include "solve/flow/slow_flow.hpp"
+#include "support/error_when.hpp"
 #include "verify/evaluate/interpreter.hpp"
 #include "verify/own_system.hpp"
 
@@ -189,29 +190,23 @@ TEST_F(DampedModes, OfOtherVariablesMayBeAllOfThem) {
 }
 
 TEST_F(DampedModes, ThatAreAllOfAnOutputAreWantedThere) {
-    try {
+    const Error e = test::error_when([&] {
         test::program_of(scene("[variables]\nx = { role = \"fast\" }\ny = { role = \"fast\" }\n[equations]\n"
                                "x = \"x'' + x = 0\"\ny = \"y' = -y + x*y\"\n",
                                "order = 2\noutputs = [\"x\", \"y\"]\ntransients = false\n[start]\n"
                                "x = \"eps\"\n\"x'\" = 0\ny = \"eps\"\n"));
-        FAIL() << "accepted";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-        EXPECT_EQ(e.diagnostic().value, "y = O(eps^3) on the slow manifold");
-        EXPECT_EQ(e.diagnostic().place.key, "transients");
-    }
+    });
+    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
+    EXPECT_EQ(e.diagnostic().value, "y = O(eps^3) on the slow manifold");
+    EXPECT_EQ(e.diagnostic().place.key, "transients");
 }
 
 TEST_F(DampedModes, ThatAreRealHaveNoPhaseToStartFrom) {
     const Scene read = scene("[variables]\ny = { role = \"fast\" }\n[equations]\ny = \"y' = -y + y^2\"\n",
                              "order = 1\noutputs = [\"y\"]\n[start]\namplitude.y = 1\nphase.y = 0\n");
-    try {
-        test::program_of(read);
-        FAIL() << "accepted";
-    } catch (const Error& e) {
-        EXPECT_EQ(e.kind(), ErrorKind::refused);
-        EXPECT_EQ(e.diagnostic().value, "z1, a mode of y, has no phase");
-    }
+    const Error e = test::error_when([&] { test::program_of(read); });
+    EXPECT_EQ(e.kind(), ErrorKind::refused);
+    EXPECT_EQ(e.diagnostic().value, "z1, a mode of y, has no phase");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "amplitude.z2" = 0 beside physical values: the mode is 0, and the value that is left out follows.
 #include "algebra/number/error.hpp"
+#include "support/error_when.hpp"
 #include "verify/own_system.hpp"
 #include "verify/report/json.hpp"
 
@@ -16,13 +17,9 @@ namespace {
 class ModeAtZero : public test::InterpretedSystem {
 protected:
     std::string refusal(const std::string& system, const std::string& scene) {
-        try {
-            (void)test::program_of(written(system, scene));
-        } catch (const Error& error) {
-            const Diagnostic& d = error.diagnostic();
-            return d.place.key + ": " + d.rule + " | " + d.value;
-        }
-        return "";
+        const Error error = test::error_when([&] { (void)test::program_of(written(system, scene)); });
+        const Diagnostic& d = error.diagnostic();
+        return d.place.key + ": " + d.rule + " | " + d.value;
     }
 };
 
