@@ -47,6 +47,7 @@ public:
         if constexpr (Course::angles > 0 && kernel::lanes > 2)
             if (open.any())
                 done = done | integrate<PackPair>(PackPair::product(eps_, t_), open, packed_radians);
+        spread(done);
         return done;
     }
 
@@ -83,6 +84,20 @@ private:
             open = open & ~resolved;
         }
         return done;
+    }
+
+    // What is not known of a member is that of one of which it is, so that its outputs are no bad numbers.
+    void spread(Mask known) {
+        std::size_t j = 0;
+        while (j < kernel::pack_lanes && !known[j]) ++j;
+        if (j == kernel::pack_lanes || known) return;
+        const auto put = [&](auto& all) {
+            for (Pack& x : all) x = select(known, x, Pack(x[j]));
+        };
+        put(tables);
+        put(cosine);
+        put(sine);
+        put(power);
     }
 
     // Whether everything has decayed that turns with a phase, as of one final point.
@@ -267,7 +282,7 @@ private:
             return some.fit;
         }
         const typename Packed::Course course{some.eps, some.parameters, some.start, c};
-        kernel::Mask members = some.fit;
+        kernel::Mask members = Pack(0) < Pack(1); // all: what does not fit has the arguments of one that does
         if constexpr (requires { course.conditions(); })
             for (const Pack& condition : course.conditions())
                 members = members & (condition > Pack(asked ? 0 : 0x1p-30)) & (condition < Pack(0x1p1000));
@@ -284,7 +299,7 @@ private:
         status = evaluate<Packed>(c, a, outputs);
         Packed::list(outputs, values.data());
         for (const Pack& value : values) members = members & (value - value == Pack(0));
-        return members;
+        return members & some.fit;
     }
 
     // Apart from compute(): it may be so long that a compiler takes minutes for both as one.

@@ -276,6 +276,9 @@ TEST_P(FinalPoint, InWiderPacks) {
     EXPECT_EQ(wrong_points("three_oscillators_chain/third_order", "-DQUIET=true -DTURNS=false -DDOUBLE_ALONE",
                            GetParam()),
               "");
+    EXPECT_EQ(wrong_points("michaelis_menten/from_no_complex", "-DQUIET=false -DTURNS=false -DDOUBLE_ALONE",
+                           GetParam()),
+              "");
 }
 INSTANTIATE_TEST_SUITE_P(SlowWidths, FinalPoint, testing::Values("x86-64-v3", "x86-64-v4"));
 TEST(SlowFinalPoint, OfAPhaseAlongSamples) {
@@ -297,6 +300,9 @@ TEST(SlowFinalPoint, OfANearResonance) {
 }
 TEST(SlowFinalPoint, OfAFlow) {
     EXPECT_EQ(wrong_points("henon_heiles/third_order", "-DQUIET=false -DTURNS=false"), "");
+}
+TEST(SlowFinalPoint, OfAFlowAndAModeThatDecays) {
+    EXPECT_EQ(wrong_points("michaelis_menten/from_no_complex", "-DQUIET=false -DTURNS=false"), "");
 }
 TEST(SlowFinalPoint, OfAFlowWithTwoPhases) {
     EXPECT_EQ(wrong_points("spring_pendulum/exchange", "-DQUIET=false -DTURNS=false"), "");
