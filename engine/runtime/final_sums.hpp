@@ -231,8 +231,8 @@ private:
             for (std::size_t j = 0; j < n; ++j) {
                 const std::array<Real, count> value =
                     course_.rates(std::integral_constant<std::size_t, Level>(), T_[j], at_node_[j]);
+                if constexpr (together) add_angles(j, angle); // nothing is stored between them: common roots
                 for (std::size_t k = 0; k < count; ++k) rate[k][j] = value[k];
-                if constexpr (together) add_angles(j, angle);
             }
         }
         const Real half = narrow(half_);
