@@ -129,7 +129,7 @@ TEST_F(SweepHdf5, HasTheSameBytesAfterARestart) {
 
 TEST_F(SweepHdf5, AFileThatCannotBeWrittenIsSaidInOneMessage) {
     const Outcome outcome = shell("sweep " + grid +
-                                  "--output a.h5 >said; rm a.h5; mkdir a.h5\n"
+                                  "--output a.h5 >said 2>&1; rm a.h5; mkdir a.h5\n"
                                   "resonform sweep --gather a.h5");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_EQ(outcome.err.find("resonform: a.h5: the output must be a file"), 0U) << outcome.err;
