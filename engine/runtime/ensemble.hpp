@@ -86,7 +86,8 @@ private:
         return done;
     }
 
-    // What is not known of a member is that of one of which it is, so that its outputs are no bad numbers.
+    // A lane without an answer takes the columns of one that has one: outputs computed from zeros would leave
+    // their domain, and all members would be computed one by one.
     void spread(Mask known) {
         std::size_t j = 0;
         while (j < kernel::pack_lanes && !known[j]) ++j;
@@ -282,7 +283,8 @@ private:
             return some.fit;
         }
         const typename Packed::Course course{some.eps, some.parameters, some.start, c};
-        kernel::Mask members = Pack(0) < Pack(1); // all: what does not fit has the arguments of one that does
+        kernel::Mask members =
+            Pack(0) < Pack(1); // all: lanes that do not fit have the arguments of one that does
         if constexpr (requires { course.conditions(); })
             for (const Pack& condition : course.conditions())
                 members = members & (condition > Pack(asked ? 0 : 0x1p-30)) & (condition < Pack(0x1p1000));

@@ -31,9 +31,10 @@ std::string integer_text(const std::string& type, const Integer& n) {
 
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
+bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
 // Does a C++ text use an identifier?
 bool mentions(const std::string& text, const std::string& name) {
-    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
         const std::size_t end = at + name.size();
         const bool starts = at == 0 || (!in_word(text[at - 1]) && text[at - 1] != '.');
@@ -45,7 +46,6 @@ bool mentions(const std::string& text, const std::string& name) {
 // Calls visit(begin, end) for each quantity w.NAME of a function in pieces that a text mentions: the text
 // from begin to end is its NAME.
 template <class Visit> void each_quantity(const std::string& text, const Visit& visit) {
-    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     for (std::size_t at = text.find("w."); at != std::string::npos; at = text.find("w.", at + 2)) {
         if (at > 0 && (in_word(text[at - 1]) || text[at - 1] == '.')) continue;
         std::size_t end = at + 2;
