@@ -95,8 +95,8 @@ struct Pack {
     using L = Lanes<lanes>;
     typename L::Vector v[vectors];
 
-    Pack() =
-        default; // no number: arrays of them would be set to 0 first, which takes a tenth of a member's time
+    // No number: arrays of packs would be set to 0 first, which takes a tenth of a member's time.
+    Pack() = default;
     template <class Number>
     requires std::is_arithmetic_v<Number>
     explicit Pack(Number x) {
