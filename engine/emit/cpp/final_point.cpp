@@ -114,23 +114,22 @@ std::string CppCourse::constants() const {
                            plan_.range.native ? "compute" : "lost = keep", which);
     };
     std::string text = "                ";
-    if (!plan_.phase_constants.empty() && plan_.divides_rates(true))
+    if (plan_.main_rates_read_some())
         text += fmt::format("if constexpr (resonform::divides_rates<Number, Real>) {{\n"
                             "                    {};\n                }} else ",
                             compute("phase_constants"));
-    const bool some = !plan_.phase_constants.empty() && !plan_.divides_rates(true);
     return text + fmt::format("if constexpr (!std::is_same_v<Number, Real>) {{\n"
                               "                    {};\n                }}\n"
                               "                const auto& known = constants(course);\n",
-                              compute(some ? "phase_constants" : "constants"));
+                              compute(plan_.whole_rates_read_some() ? "phase_constants" : "constants"));
 }
 
 // The type of the constants that are not in Real.
 std::string CppCourse::own_constants() const {
-    if (plan_.phase_constants.empty()) return "Constants<Number>";
-    if (!plan_.divides_rates(true)) return "PhaseConstants<Number>";
-    return "std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, "
-           "Constants<Number>>";
+    if (plan_.main_rates_read_some())
+        return "std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, "
+               "Constants<Number>>";
+    return plan_.whole_rates_read_some() ? "PhaseConstants<Number>" : "Constants<Number>";
 }
 
 std::string CppCourse::arguments() const {

@@ -94,6 +94,14 @@ struct CppPlan {
     // Members that phases read at a final point in more digits than Real has, main parts of their rates where
     // all are divided, if to compute these alone is much less. Ascending.
     std::vector<StraightLine::Value> phase_constants;
+    // Which type reads those alone: each that is not Real, if whole rates do, or those that rates are divided
+    // for.
+    [[nodiscard]] bool whole_rates_read_some() const {
+        return !phase_constants.empty() && !divides_rates(true);
+    }
+    [[nodiscard]] bool main_rates_read_some() const {
+        return !phase_constants.empty() && divides_rates(true);
+    }
     // Members that must lie within the range of the real type, with the text that an evaluator reports if one
     // does not: "C_delta", "c_12 in psi_3". The others are conditions, of which only the sign matters.
     std::vector<std::pair<StraightLine::Value, std::string>> kept;

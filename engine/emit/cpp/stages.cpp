@@ -145,12 +145,12 @@ std::string CppStages::integrands_of(std::size_t level) {
 }
 
 std::string CppStages::phase_rates() {
-    const bool some = !plan_.phase_constants.empty() && !plan_.divides_rates(true);
     std::string text;
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
-        text += fmt::format("    // d{}/dT\n", name) +
-                rate_of(plan_.phase_rates[k], name + "_rate", plan_.phase_uses_tables[k], some);
+        text += fmt::format("    // d{}/dT\n", name) + rate_of(plan_.phase_rates[k], name + "_rate",
+                                                               plan_.phase_uses_tables[k],
+                                                               plan_.whole_rates_read_some());
         if (const auto& divided = plan_.divided_rates[k])
             text += "    // The same as a sum, of which the second part turns little.\n" +
                     rate_of(divided->main, name + "_main_rate", false, true) +
