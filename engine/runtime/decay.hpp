@@ -5,10 +5,13 @@
 #ifndef RESONFORM_RUNTIME_DECAY
 #define RESONFORM_RUNTIME_DECAY
 
+#include "runtime/lanes.hpp"
 #include "runtime/panels.hpp"
 #include "runtime/twice.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <type_traits>
 
 namespace resonform {
@@ -31,11 +34,23 @@ template <class Real, class Number> Real exponential(const Number& x) {
     return value + value * low;
 }
 
+// A power of e below this counts beside nothing. What is left without it may be small itself: of an output
+// that is forced at a high weight alone, a high power of eps.
+inline constexpr double faded_power = 0x1p-1000;
+
 // Of all that decays with these powers of e nothing is left that a phase beside them could turn.
 template <class Real, class... More> bool faded(const Real& power, const More&... more) {
-    if (!(power < math::epsilon<Real>() / Real(256))) return false;
-    if constexpr (sizeof...(more) > 0) return faded(more...);
-    return true;
+    return power < Real(faded_power) && (faded(more) && ...);
+}
+
+// Likewise of several side by side, with those powers whose bits are set; not, if none is.
+template <class Real, std::size_t Count>
+typename LanesOf<Real>::Truth all_faded(unsigned long long bits, const std::array<Real, Count>& power) {
+    using Lanes = LanesOf<Real>;
+    auto gone = bits == 0 ? Lanes::negated(Lanes::all()) : Lanes::all();
+    for (std::size_t k = 0; k < Count; ++k)
+        if ((bits >> k & 1U) != 0) gone = Lanes::both(gone, power[k] < Real(faded_power));
+    return gone;
 }
 
 template <class Real> class Decay {

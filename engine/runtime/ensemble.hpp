@@ -76,7 +76,7 @@ private:
             for (std::size_t k = 0; k < Course::angles; ++k) {
                 if (Course::decays[k]) continue;
                 const Pack size = turn(turning.start[k] + sums.angles()[k], resolved, cosine[k], sine[k]);
-                now = now & (is_gone(k) | (size < Pack(most)));
+                now = now & (all_faded(Course::fades[k], power) | (size < Pack(most)));
             }
             for (std::size_t k = 0; k < Course::columns; ++k)
                 tables[k] = select(now, sums.tables()[k], tables[k]);
@@ -99,15 +99,6 @@ private:
         put(cosine);
         put(sine);
         put(power);
-    }
-
-    // Whether everything has decayed that turns with a phase, as of one final point.
-    [[nodiscard]] Mask is_gone(std::size_t phase) const {
-        const unsigned long long with = Course::fades[phase];
-        Mask gone = with == 0 ? Pack(1) < Pack(0) : Pack(0) < Pack(1);
-        for (std::size_t k = 0; k < Course::angles; ++k)
-            if (((with >> k) & 1U) != 0) gone = gone & (power[k] < Pack(math::epsilon<double>() / 256));
-        return gone;
     }
 
     // Sets cosine and sine of `members`; returns |theta|.

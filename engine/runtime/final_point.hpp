@@ -110,7 +110,7 @@ private:
         for (std::size_t k = 0; k < Course::angles; ++k)
             if (Course::decays[k]) power[k] = exponential<Real>(angle(k));
         for (std::size_t k = 0; k < Course::angles; ++k) {
-            if (Course::decays[k] || is_gone(k)) continue;
+            if (Course::decays[k] || all_faded(Course::fades[k], power)) continue;
             const Number theta = angle(k);
             const Real size = math::magnitude(static_cast<Real>(theta));
             if constexpr (!std::is_same_v<Number, WideNumber<Real>>) {
@@ -124,14 +124,6 @@ private:
             turn(theta, cosine[k], sine[k]);
         }
         return beyond_ == Status::ok ? status : beyond_;
-    }
-
-    // Whether everything has decayed that turns with a phase.
-    [[nodiscard]] bool is_gone(std::size_t phase) const {
-        const unsigned long long with = Course::fades[phase];
-        for (std::size_t k = 0; k < Course::angles; ++k)
-            if (((with >> k) & 1U) != 0 && !faded(power[k])) return false;
-        return with != 0;
     }
 
     const Course& course_;

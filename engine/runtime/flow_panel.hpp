@@ -5,6 +5,7 @@
 #define RESONFORM_RUNTIME_FLOW_PANEL
 
 #include "runtime/gauss.hpp"
+#include "runtime/lanes.hpp"
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
 
@@ -15,32 +16,6 @@
 #include <utility>
 
 namespace resonform {
-
-// What is true of a number, or of each of several side by side.
-template <class Real> struct LanesOf {
-    static constexpr bool several = !std::is_same_v<typename OneOf<Real>::type, Real>;
-    using Truth = decltype(Real(0) < Real(0));
-
-    static Truth all() { return Real(0) < Real(1); }
-    static Truth negated(const Truth& a) {
-        if constexpr (several)
-            return ~a;
-        else
-            return !a;
-    }
-    static bool any(const Truth& a) {
-        if constexpr (several)
-            return a.any();
-        else
-            return a;
-    }
-    static Real chosen(const Truth& which, const Real& a, const Real& b) {
-        if constexpr (several)
-            return select(which, a, b);
-        else
-            return which ? a : b;
-    }
-};
 
 // count: of its variables, the first of Columns.
 template <class Real, std::size_t n, std::size_t count, class Columns> struct FlowPanel {

@@ -59,6 +59,7 @@ std::string cpp_c_interface(const Program& program, const std::string& evaluator
         std::size_t next = 1;
         for (const std::string& array : cpp_argument_arrays(plan))
             members += fmt::format("    members.{} = arguments[{}];\n", array, next++);
+        if (plan.has_full_phase()) members += "    members.full_phase = full_phase != 0;\n";
         std::string parameters;
         for (std::size_t k = 0; k < plan.parameters.size(); ++k)
             parameters +=

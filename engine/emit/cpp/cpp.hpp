@@ -37,7 +37,7 @@ std::string emit_cpp(const Program& program, const CppOptions& options = {});
 // With the letter "e", of many members in double (runtime/ensemble.hpp), whose arguments are eps, the
 // parameters and the start values, an array each, or null for the scene's default:
 //   void  rf_ensemble(const double* const* arguments, long n, const double* t, double* const* outputs,
-//                     unsigned char* status);
+//                     unsigned char* status, int full_phase);
 //   void  rf_interval_ends(const double* const* arguments, long n, double* t);    by the scene's default
 // and, if the program has rows, rf_loops, which must be called before batches: with &kernel::loops.
 // With lies, the coefficients of the class are planted there, and

@@ -183,9 +183,9 @@ std::string CppInterface::ensemble() const {
     for (const std::string& array : cpp_argument_arrays(plan_))
         fields += fmt::format("        const Real* {} = nullptr;\n", array);
     const char* full_phase =
-        program_.phases.empty()
-            ? ""
-            : "        bool full_phase = true; // false: a phase may be off by 4e-13 radians\n";
+        plan_.has_full_phase()
+            ? "        bool full_phase = true; // false: a phase may be off by 4e-13 radians\n"
+            : "";
     const bool called = !plan_.callables.empty();
     const std::string callables = plan_.callable_list("{name}");
     const auto if_called = [&](const std::string& text) { return called ? text : std::string(); };

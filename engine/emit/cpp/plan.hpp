@@ -85,6 +85,8 @@ struct CppPlan {
     // them. Else empty, and each has a name of its own.
     std::vector<StraightLine::Value> listed;
     static constexpr const char* list_name = "all";
+    // Of an ensemble's members, which have no phase or may have one of fewer digits.
+    [[nodiscard]] bool has_full_phase() const { return !program->phases.empty(); }
     [[nodiscard]] bool walks_constants() const { return !listed.empty(); }
     ConstantRange range;  // of the members
     bool native_defaults; // of start values and slow time, whatever the arguments are

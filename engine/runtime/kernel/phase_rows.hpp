@@ -79,17 +79,31 @@ public:
 
 private:
     int straight_at(const Wide* c, std::size_t size, int level) const {
-        double curved = 0;
-        for (std::size_t k = 2; k < size; ++k) curved += std::abs(static_cast<double>(c[k]));
-        if (is_gone(c, size) || curved <= 1.0) return level;
+        double bent = most_bent(c, size) / 2; // of x^2, x from -1 to 1
+        if (is_gone(c, size) || bent <= 1.0) return level;
         if (exponent && level < most_levels) { // it may be gone in a part
             Series left, right;
             halve(c, size, left.data(), right.data());
             return std::max(straight_at(left.data(), size, level + 1),
                             straight_at(right.data(), size, level + 1));
         }
-        for (; curved > 1.0 && level < 60; ++level) curved /= 4;
+        for (; bent > 1.0 && level < 60; ++level) bent /= 4;
         return level;
+    }
+    // A bound of the second derivative on [-1, 1]: of c_3 T_3 it is 24 |c_3|, at the edges.
+    static double most_bent(const Wide* c, std::size_t size) {
+        std::array<double, nodes + 4> series{};
+        for (std::size_t k = 0; k < size; ++k) series[k] = static_cast<double>(c[k]);
+        for (int times = 0; times < 2; ++times) {
+            std::array<double, nodes + 4> derivative{};
+            for (std::size_t k = size; k-- > 0;)
+                derivative[k] = derivative[k + 2] + 2 * static_cast<double>(k + 1) * series[k + 1];
+            derivative[0] /= 2;
+            series = derivative;
+        }
+        double most = 0;
+        for (std::size_t k = 0; k < size; ++k) most += std::abs(series[k]);
+        return most;
     }
     template <class Rate>
     void divide(const Rate& rate, double root, int level, std::size_t index, double parent) {

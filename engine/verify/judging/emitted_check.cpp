@@ -47,8 +47,8 @@ std::string line_of(const EmittedInType& type) {
     if (type.phase_share > 0)
         line += fmt::format(", {:.0f} % of the scale there for a phase that the slow flow moves",
                             100 * type.phase_share);
-    return line +
-           fmt::format(" ({} of {} points answered), at {}\n", type.compared, type.points, place_of(type));
+    return line + fmt::format(" ({} of {} points answered), {} at {}\n", type.compared, type.points,
+                              type.form, place_of(type));
 }
 
 } // namespace

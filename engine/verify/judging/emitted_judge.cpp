@@ -2,8 +2,7 @@
 #include "verify/judging/emitted_judge.hpp"
 
 #include "model/system/start_names.hpp"
-#include "verify/evaluate/interpretation.hpp"
-#include "verify/evaluate/interpreter.hpp"
+#include "verify/evaluate/ensemble.hpp"
 #include "verify/run/parallel.hpp"
 #include "verify/symbolic/ulp.hpp"
 
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <type_traits>
 #include <utility>
 
 namespace resonform {
@@ -60,6 +58,7 @@ EmittedJudge<Real>::EmittedJudge(const Program& program, std::shared_ptr<const E
                                  bool is_flow, const EmittedCheckOptions& options)
     : program_(program), library_(std::move(library)), symbolic_(std::move(symbolic)), scene_(scene),
       is_flow_(is_flow), options_(options),
+      most_modes_(std::max(program_.truncation, most_modes(*symbolic_))),
       drawn_(emitted_points<Real>(scene, options.starts, options.times, options.seed)) {
     for (const Points& d : drawn_) asked_.push_back(asked_of(d));
     if (options_.progress)
@@ -81,51 +80,6 @@ template <class Real> SymbolicPoints EmittedJudge<Real>::asked_of(const Points& 
         if (!takes(name)) points.inputs.untaken.insert(name);
     }
     return points;
-}
-
-template <class Real>
-Evaluator<Real> EmittedJudge<Real>::emitted_at(const Points& drawn, const Program& program,
-                                               const std::shared_ptr<const EvaluatorLibrary>& library) {
-    std::vector<Real> start;
-    for (const ProgramInput& input : program.start) start.push_back(drawn.start_of(input.canonical));
-    return {library, drawn.eps, default_parameters<Real>(program, drawn.eps), start, drawn.end};
-}
-
-template <class Real> EmittedAnswers<Real> EmittedJudge<Real>::room_for(std::size_t start) const {
-    const std::size_t count = drawn_[start].times.size();
-    return {start, std::vector<unsigned char>(count),
-            std::vector<std::vector<Real>>(program_.outputs.size(), std::vector<Real>(count))};
-}
-
-template <class Real>
-EmittedAnswers<Real> EmittedJudge<Real>::one_by_one(const Evaluator<Real>& emitted, std::size_t start) const {
-    EmittedAnswers<Real> answers = room_for(start);
-    std::vector<Real> values(program_.outputs.size());
-    for (std::size_t i = 0; i < answers.statuses.size(); ++i) {
-        answers.statuses[i] = static_cast<unsigned char>(emitted.call(drawn_[start].times[i], values.data()));
-        for (std::size_t k = 0; k < values.size(); ++k) answers.values[k][i] = values[k];
-    }
-    return answers;
-}
-
-template <class Real>
-EmittedAnswers<Real> EmittedJudge<Real>::at_once(const Evaluator<Real>& emitted, std::size_t start) const {
-    EmittedAnswers<Real> answers = room_for(start);
-    std::vector<Real*> rows;
-    for (std::vector<Real>& row : answers.values) rows.push_back(row.data());
-    emitted.batch({drawn_[start].times.begin(), drawn_[start].times.end()}, rows, answers.statuses);
-    return answers;
-}
-
-template <class Real>
-typename EmittedJudge<Real>::Answers
-EmittedJudge<Real>::answers_at(std::size_t start, const Program& program,
-                               const std::shared_ptr<const EvaluatorLibrary>& library) const {
-    const Evaluator<Real> emitted = emitted_at(drawn_[start], program, library);
-    Answers all{one_by_one(emitted, start)};
-    if (std::is_same_v<Real, double> && !program.rows.empty()) // from tables
-        all.push_back(at_once(emitted, start));
-    return all;
 }
 
 template <class Real> typename EmittedJudge<Real>::Answers EmittedJudge<Real>::answers() const {
@@ -170,11 +124,6 @@ template <class Real> std::size_t EmittedJudge<Real>::further_starts() {
     return starts_.size();
 }
 
-template <class Real> Status EmittedJudge<Real>::status_at_start(std::size_t k) const {
-    std::vector<Real> values(program_.outputs.size());
-    return emitted_at(starts_[k].drawn, program_, library_).call(Real(0), values.data());
-}
-
 template <class Real>
 EmittedInType EmittedJudge<Real>::judged_starts(const std::vector<std::pair<std::size_t, Status>>& statuses,
                                                 double enough) {
@@ -195,7 +144,7 @@ typename EmittedJudge<Real>::Difference EmittedJudge<Real>::difference(const Ans
     };
     for (std::size_t j = 0; j < a.size(); ++j)
         for (std::size_t i = 0; i < a[j].statuses.size(); ++i) {
-            const SymbolicPoint& exact = exact_[a[j].start][i];
+            const SymbolicPoint& exact = exact_[a[j].start][a[j].times[i]];
             if (has_numbers(a[j].status(i)) != has_numbers(b[j].status(i)))
                 see(std::numeric_limits<double>::infinity(), most.output);
             if (exact.status != Status::ok || a[j].status(i) != Status::ok || b[j].status(i) != Status::ok)
@@ -214,7 +163,13 @@ template <class Real> void EmittedJudge<Real>::compare_start(const Start& start,
     std::unique_ptr<SymbolicEvaluator> beside;
     const SymbolicPoint exact = SymbolicEvaluator(symbolic_, start.asked.inputs, Wide(0))(Wide(0));
     if (!agree(status, exact.status) && !at_edge(status, exact, start.asked, Real(0), beside))
-        disagree(status, exact.status, start.drawn, Real(0));
+        disagree(status, exact.status, EmittedForm::call, start.drawn, Real(0));
+}
+
+// What an error of phases that a form is allowed may make of an output, in ulp of its scale.
+template <class Real> double EmittedJudge<Real>::phase_blur(EmittedForm form) const {
+    if (form != EmittedForm::quick_ensemble) return 0;
+    return most_modes_ * quick_phase_error / static_cast<double>(std::numeric_limits<Real>::epsilon());
 }
 
 // How many values are compared.
@@ -222,23 +177,27 @@ template <class Real>
 std::size_t EmittedJudge<Real>::compare(const EmittedAnswers<Real>& answers, double enough) {
     const Points& drawn = drawn_[answers.start];
     const SymbolicPoints& asked = asked_[answers.start];
-    const std::vector<SymbolicPoint>& exact = exact_[answers.start];
+    const double blur = phase_blur(answers.form);
     std::unique_ptr<SymbolicEvaluator> beside; // for times beside those asked for
     std::size_t compared = 0;
-    for (std::size_t i = 0; i < drawn.times.size(); ++i) {
+    for (std::size_t i = 0; i < answers.times.size(); ++i) {
         if (has_seen_more_than(enough)) break;
-        const Real t = drawn.times[i];
+        const Real t = drawn.times[answers.times[i]];
+        const SymbolicPoint& exact = exact_[answers.start][answers.times[i]];
         const Status status = answers.status(i);
-        if (!agree(status, exact[i].status)) {
-            if (!at_edge(status, exact[i], asked, t, beside)) disagree(status, exact[i].status, drawn, t);
+        if (!agree(status, exact.status)) {
+            if (exact.status == Status::outside_interval && is_final_point(answers.form)) continue;
+            if (!at_edge(status, exact, asked, t, beside))
+                disagree(status, exact.status, answers.form, drawn, t);
             continue;
         }
-        if (exact[i].status != Status::ok || status == Status::low_precision) continue;
+        if (exact.status != Status::ok || status == Status::low_precision) continue;
         ++compared;
-        for (std::size_t k = 0; k < answers.values.size(); ++k)
-            record(in_ulp<Real>(answers.values[k][i], exact[i].values[k], exact[i].scales[k]),
-                   share(exact[i].phase_parts[k], exact[i].scales[k]), program_.outputs[k].name, drawn, t,
-                   "");
+        for (std::size_t k = 0; k < answers.values.size(); ++k) {
+            const double ulp = in_ulp<Real>(answers.values[k][i], exact.values[k], exact.scales[k]);
+            record(std::fmax(0, ulp - blur), share(exact.phase_parts[k], exact.scales[k]),
+                   program_.outputs[k].name, answers.form, drawn, t, "");
+        }
     }
     return compared;
 }
@@ -254,9 +213,8 @@ bool EmittedJudge<Real>::at_edge(Status status, const SymbolicPoint& exact, cons
     if (!beside)
         beside = std::make_unique<SymbolicEvaluator>(symbolic_, asked.inputs, asked.inputs.slow_time_end);
     if (status == Status::overflow) { // a power of a mode may be, though no value is
-        const int power = std::max(program_.truncation, most_modes(*symbolic_));
         for (const Wide& chi : beside->exponents(Wide(t)))
-            if (power * chi > log(Wide(std::numeric_limits<Real>::max())) - little_room) return true;
+            if (most_modes_ * chi > log(Wide(std::numeric_limits<Real>::max())) - little_room) return true;
     }
     if (status == Status::outside_interval && exact.status == Status::ok &&
         beside->loses_phase(Wide(t), asked.inputs.slow_time_end / asked.inputs.eps,
@@ -268,18 +226,20 @@ bool EmittedJudge<Real>::at_edge(Status status, const SymbolicPoint& exact, cons
 }
 
 template <class Real>
-void EmittedJudge<Real>::disagree(Status emitted, Status exact, const Points& drawn, Real t) {
-    record(std::numeric_limits<double>::infinity(), 0, "", drawn, t,
+void EmittedJudge<Real>::disagree(Status emitted, Status exact, EmittedForm form, const Points& drawn,
+                                  Real t) {
+    record(std::numeric_limits<double>::infinity(), 0, "", form, drawn, t,
            fmt::format("emitted {}, symbolic {}", to_string(emitted), to_string(exact)));
 }
 
 template <class Real>
-void EmittedJudge<Real>::record(double ulp, double phase_share, const std::string& output,
+void EmittedJudge<Real>::record(double ulp, double phase_share, const std::string& output, EmittedForm form,
                                 const Points& drawn, Real t, const std::string& statuses) {
     if (result_.has_seen() && !(ulp > result_.ulp)) return;
     result_.ulp = ulp;
     result_.phase_share = phase_share;
     result_.output = output;
+    result_.form = to_string(form);
     result_.statuses = statuses;
     result_.at = {{"eps", static_cast<double>(drawn.eps)}};
     for (const auto& [name, value] : drawn.start)

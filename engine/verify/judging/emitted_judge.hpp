@@ -4,6 +4,7 @@
 #pragma once
 
 #include "verify/evaluate/evaluator.hpp"
+#include "verify/judging/emitted_forms.hpp"
 #include "verify/judging/emitted_points.hpp"
 #include "verify/symbolic/table.hpp"
 
@@ -16,14 +17,6 @@
 
 namespace resonform {
 
-// Statuses and values of an evaluator at the times of one start.
-template <class Real> struct EmittedAnswers {
-    std::size_t start;
-    std::vector<unsigned char> statuses;
-    std::vector<std::vector<Real>> values; // [output][time]
-    [[nodiscard]] Status status(std::size_t i) const { return static_cast<Status>(statuses[i]); }
-};
-
 // Real: double, long double.
 template <class Real> class EmittedJudge {
 public:
@@ -35,14 +28,19 @@ public:
                  std::shared_ptr<const SymbolicSolution> symbolic, const Scene& scene, bool is_flow,
                  const EmittedCheckOptions& options);
 
-    // Of the code as it is now, at one start: call by call and, in double, all times at once where it has
-    // tables for that. May run beside itself.
+    // Of the code as it is now, at one start, in every form that the library has. May run beside itself.
     [[nodiscard]] Answers answers_at(std::size_t start) const {
         return answers_at(start, program_, library_);
     }
+    // At its first time alone.
+    [[nodiscard]] Answers first_answers_at(std::size_t start) const {
+        return answers_of<Real>({program_, library_}, drawn_[start].at_first_time(), start);
+    }
     // Of other code with the same outputs.
     [[nodiscard]] Answers answers_at(std::size_t start, const Program& program,
-                                     const std::shared_ptr<const EvaluatorLibrary>& library) const;
+                                     const std::shared_ptr<const EvaluatorLibrary>& library) const {
+        return answers_of<Real>({program, library}, drawn_[start], start);
+    }
     [[nodiscard]] Answers answers() const; // at all
     [[nodiscard]] std::size_t starts() const { return drawn_.size(); }
 
@@ -52,13 +50,16 @@ public:
     // Further starts, of which only the status at t = 0 is compared. They are drawn, and their exact statuses
     // found, when their number is asked for.
     [[nodiscard]] std::size_t further_starts();
-    [[nodiscard]] Status status_at_start(std::size_t k) const; // of the code as it is now
+    // Of the code as it is now.
+    [[nodiscard]] Status status_at_start(std::size_t k) const {
+        return status_at_0<Real>({program_, library_}, starts_[k].drawn);
+    }
     // statuses: of some of them, by their numbers.
     [[nodiscard]] EmittedInType judged_starts(const std::vector<std::pair<std::size_t, Status>>& statuses,
                                               double enough = unlimited);
 
-    // The largest difference between answers, in ulp of the output's scale, where both are numbers; infinite
-    // where only one is, unless that is low_precision.
+    // The largest difference between answers, a at the first times of b or all, in ulp of the output's scale,
+    // where both are numbers; infinite where only one is, unless that is low_precision.
     struct Difference {
         double ulp = 0;
         std::size_t output = 0; // there
@@ -75,11 +76,7 @@ private:
 
     [[nodiscard]] bool takes(const std::string& canonical) const;
     [[nodiscard]] SymbolicPoints asked_of(const Points& d) const;
-    [[nodiscard]] static Evaluator<Real> emitted_at(const Points& drawn, const Program& program,
-                                                    const std::shared_ptr<const EvaluatorLibrary>& library);
-    [[nodiscard]] EmittedAnswers<Real> one_by_one(const Evaluator<Real>& emitted, std::size_t start) const;
-    [[nodiscard]] EmittedAnswers<Real> at_once(const Evaluator<Real>& emitted, std::size_t start) const;
-    [[nodiscard]] EmittedAnswers<Real> room_for(std::size_t start) const;
+    [[nodiscard]] double phase_blur(EmittedForm form) const;
 
     void begin();
     [[nodiscard]] bool has_seen_more_than(double ulp) const {
@@ -90,9 +87,9 @@ private:
     void compare_start(const Start& start, Status emitted);
     [[nodiscard]] bool at_edge(Status status, const SymbolicPoint& exact, const SymbolicPoints& asked, Real t,
                                std::unique_ptr<SymbolicEvaluator>& beside) const;
-    void disagree(Status emitted, Status exact, const Points& drawn, Real t);
-    void record(double ulp, double phase_share, const std::string& output, const Points& drawn, Real t,
-                const std::string& statuses);
+    void disagree(Status emitted, Status exact, EmittedForm form, const Points& drawn, Real t);
+    void record(double ulp, double phase_share, const std::string& output, EmittedForm form,
+                const Points& drawn, Real t, const std::string& statuses);
 
     const Program& program_;
     std::shared_ptr<const EvaluatorLibrary> library_;
@@ -100,6 +97,7 @@ private:
     const Scene& scene_;
     bool is_flow_;
     EmittedCheckOptions options_;
+    int most_modes_; // of a term, as factors
     std::vector<Points> drawn_;
     std::vector<SymbolicPoints> asked_;
     std::vector<std::vector<SymbolicPoint>> exact_; // [start][time]

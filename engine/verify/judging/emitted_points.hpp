@@ -14,22 +14,38 @@
 
 namespace resonform {
 
+// A grid t0 + i dt that goes through some of the times, exactly.
+template <class Real> struct EmittedGrid {
+    Real t0, dt;
+    std::vector<std::pair<std::size_t, std::size_t>> places; // number of a time, i
+};
+constexpr std::size_t grid_points = 1024;
+
 // One construction of an evaluator, and the times at which it is asked. Real: double, long double.
 template <class Real> struct EmittedPoints {
     Real eps, end;                                   // of slow time
     std::vector<std::pair<std::string, Real>> start; // by canonical name
     std::vector<Real> times;
+    EmittedGrid<Real> grid;
 
     [[nodiscard]] Real start_of(const std::string& canonical) const {
         for (const auto& [name, value] : start)
             if (name == canonical) return value;
         return Real(0);
     }
+    // Asked at its first time alone. Precondition: it has one.
+    [[nodiscard]] EmittedPoints at_first_time() const {
+        EmittedPoints first = *this;
+        first.times.resize(1);
+        first.grid.places.resize(1);
+        return first;
+    }
 };
 
-// eps is drawn from the ladder of the scene and three decades below it, log-uniform, start values within a
-// factor of 10 of the scene's (the first has those), half of the times uniform in [0, interval] and half
-// log-uniform from 1e-12 of it. Precondition: every parameter is fixed.
+// eps is drawn from the ladder of the scene and three decades below it, log-uniform; start values within a
+// factor of 10 of the scene's, and of every second start those that are 0 within +-eps^weight (the first start
+// is the scene's); half of the times, the first among them, from a grid in [0, interval], and half log-uniform
+// from 1e-12 of it. Precondition: every parameter is fixed.
 template <class Real>
 std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t starts, std::size_t times,
                                                 std::uint64_t seed);
@@ -53,6 +69,7 @@ struct EmittedInType {
     double ulp = 0;           // the largest difference; infinite where statuses disagree, NaN: none is seen
     double phase_share = 0;   // there: what part of the scale is that of phases moved by a slow flow
     std::string output;       // there
+    std::string form;         // there: "batch" (verify/judging/emitted_forms.hpp)
     std::string statuses;     // there, if they disagree: "emitted ok, symbolic outside_domain"
     std::vector<std::pair<std::string, double>> at; // there: eps, start values, t
 

@@ -29,7 +29,7 @@ double since(Clock::time_point begin) { return std::chrono::duration<double>(Clo
 // Checks the code that `generate` writes, without the state that the ladder starts from.
 EmittedCheck emitted_check(const Scene& scene, const Solution& solution, const VerifyOptions& options) {
     const auto program = std::make_shared<const Program>(build_program(solution, scene, {true, false, true}));
-    return check_emitted(*program, library_of(program, options, "dl"), solution, scene,
+    return check_emitted(*program, library_of(program, options, "dlfe"), solution, scene,
                          {options.cache, options.progress, options.emitted_starts});
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,8 @@ constexpr std::size_t starts_at_a_time = 64;
 // As lie_kinds has them.
 constexpr int other_sign = 1, a_little_more = 2;
 constexpr unsigned char listening = 3, heard = 4;
+// Of the emitted class: asked once for each construction, whatever the time, and by statuses alone.
+constexpr std::string_view conditions_of_start = "start_conditions";
 
 using Judge = EmittedJudge<double>;
 
@@ -43,7 +46,7 @@ class PlantedCode {
 public:
     PlantedCode(const Scene& scene, const Solution& solution, const VerifyOptions& options)
         : program_(build_program(solution, scene, {true, false, true})),
-          library_(EvaluatorLibrary::build(program_, options.cache, options.progress, "d", &planted_)),
+          library_(EvaluatorLibrary::build(program_, options.cache, options.progress, "dfe", &planted_)),
           symbolic_(std::make_shared<const SymbolicSolution>(solution, scene)), threshold_(scene.verify.ulp),
           told_(reinterpret_cast<unsigned char* (*)()>(library_->object()->symbol("rf_lies"))()),
           check_(program_, library_, symbolic_, scene, solution.flow != nullptr,
@@ -108,8 +111,11 @@ private:
             if (here.ulp > effect.ulp) effect = here;
             return verdict(found) == Verdict::fail;
         };
-        const bool caught = order_.ends([&](std::size_t j) { return asked_[j][place]; }, side_by_side(),
-                                        [&](std::size_t j) { return check_.answers_at(j); }, is_caught);
+        const bool once = places()[place - 1].function == conditions_of_start;
+        const bool caught = order_.ends(
+            [&](std::size_t j) { return asked_[j][place]; }, side_by_side(),
+            [&](std::size_t j) { return once ? check_.first_answers_at(j) : check_.answers_at(j); },
+            is_caught);
         lie.effect_ulp = effect.ulp;
         lie.output = program_.outputs[effect.output].name;
         for (std::size_t j = 0; j < asked_.size(); ++j)

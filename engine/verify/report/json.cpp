@@ -107,9 +107,9 @@ Json of(const EmittedCheck& check) {
         Json row{{"type", type.type},         {"points", type.points},
                  {"compared", type.compared}, {"ulp", json_number(type.ulp)},
                  {"output", type.output},     {"phase_share", json_number(type.phase_share)},
-                 {"at", std::move(at)}};
+                 {"form", type.form},         {"at", std::move(at)}};
         if (type.output.empty()) row["output"] = row["phase_share"] = Json();
-        if (!type.has_seen()) row["at"] = Json();
+        if (!type.has_seen()) row["form"] = row["at"] = Json();
         if (!type.statuses.empty()) row["statuses"] = type.statuses;
         types.push_back(std::move(row));
     }

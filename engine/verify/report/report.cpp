@@ -86,7 +86,7 @@ Section derived(const Findings& f) {
 
 Section emitted(const EmittedCheck& check) {
     Table table{"Emitted = symbolic",
-                {"real type", "points", "answered", "largest difference, ulp", "output", "at",
+                {"real type", "points", "answered", "largest difference, ulp", "output", "form", "at",
                  "of the scale for moved phases"},
                 {},
                 false};
@@ -96,7 +96,8 @@ Section emitted(const EmittedCheck& check) {
             at += fmt::format("{}{} = {}", at.empty() ? "" : ", ", pretty(name), short_number(value));
         table.rows.push_back({type.type, std::to_string(type.points), std::to_string(type.compared),
                               type.statuses.empty() ? short_number(type.ulp) : type.statuses,
-                              pretty(type.output), at, fmt::format("{:.0f} %", 100 * type.phase_share)});
+                              pretty(type.output), type.form, at,
+                              fmt::format("{:.0f} %", 100 * type.phase_share)});
     }
     return {
         "Emitted = symbolic",
