@@ -20,7 +20,7 @@ namespace {
 
 // y begins at eps^2 on the slow manifold: at order 1 there is nothing of it, which is no reason to refuse
 // order 3.
-TEST(CompareOrders, GoDownToWhereAnOutputIsNothing) {
+TEST(SlowCompareOrders, GoDownToWhereAnOutputIsNothing) {
     const test::SceneLine line = test::line_of(test::scene_of("transition_state", "centre_manifold"));
     CompareOptions options;
     static_cast<VerifyOptions&>(options) = test::options();
@@ -34,7 +34,7 @@ TEST(CompareOrders, GoDownToWhereAnOutputIsNothing) {
 constexpr std::size_t rivals = 6, with_dear_points = 2;
 
 // One comparison, which takes seconds, for all that is asked of it.
-class Compare : public testing::Test {
+class SlowCompare : public testing::Test {
 protected:
     static Comparison of_the_pendulum() {
         const test::SceneLine line = test::pendulum("third_order");
@@ -70,7 +70,7 @@ private:
     const Comparison comparison_ = of_the_pendulum();
 };
 
-void Compare::check_rows_of_every_task_and_form() const {
+void SlowCompare::check_rows_of_every_task_and_form() const {
     const Comparison& c = compared();
     // two eps; two orders in 2 forms of one point, 3 of two numbers of points, 1 of members; the rivals at
     // ten tolerances for one point and for two numbers of points twice, and tuned to the orders for members
@@ -100,7 +100,7 @@ void Compare::check_rows_of_every_task_and_form() const {
 }
 
 // The forms are one formula.
-void Compare::check_forms_have_the_same_errors() const {
+void SlowCompare::check_forms_have_the_same_errors() const {
     for (const int order : {1, 3}) {
         const auto same = [&](const ComparisonRow& a, const ComparisonRow& b) {
             for (std::size_t k = 0; k < 3; ++k)
@@ -120,7 +120,7 @@ void Compare::check_forms_have_the_same_errors() const {
     }
 }
 
-void Compare::check_rivals_are_tuned_to_the_accuracy_of_each_order() const {
+void SlowCompare::check_rivals_are_tuned_to_the_accuracy_of_each_order() const {
     const Comparison& c = compared();
     ASSERT_EQ(c.by_eps.size(), 2U);
     ASSERT_EQ(c.by_eps.front().tasks.size(), 2U * (1 + 2 * 2 + 1));
@@ -155,7 +155,7 @@ void Compare::check_rivals_are_tuned_to_the_accuracy_of_each_order() const {
         }
 }
 
-void Compare::check_json_and_csv() const {
+void SlowCompare::check_json_and_csv() const {
     const auto json = to_json(compared());
     EXPECT_EQ(json["schema"], "resonform.comparison/1");
     EXPECT_EQ(json["eps"], 0.01);
@@ -190,7 +190,7 @@ void Compare::check_json_and_csv() const {
         << csv.substr(0, 400);
 }
 
-void Compare::check_errors_fall_with_the_tolerance() const {
+void SlowCompare::check_errors_fall_with_the_tolerance() const {
     const Comparison& c = compared();
     for (const char* method : {"CVODE Adams", "odeint dopri5", "odeint Bulirsch-Stoer", "Taylor"}) {
         std::vector<double> errors;
@@ -202,7 +202,7 @@ void Compare::check_errors_fall_with_the_tolerance() const {
     }
 }
 
-TEST_F(Compare, OfThePendulum) {
+TEST_F(SlowCompare, OfThePendulum) {
     check_rows_of_every_task_and_form();
     check_forms_have_the_same_errors();
     check_rivals_are_tuned_to_the_accuracy_of_each_order();

@@ -96,7 +96,7 @@ void expect_caught(const EmittedCheck& check) {
 }
 
 // A quadrature, a slow flow, exponentials, an output that begins with 0, nothing that turns.
-TEST(EmittedEqualsSymbolic, WhereManyPointsAreMadeOfAtoms) {
+TEST(SlowEmittedEqualsSymbolic, WhereManyPointsAreMadeOfAtoms) {
     for (const auto& [system, name] :
          {std::pair("almost_holonomic_pendulum", "third_order"), std::pair("henon_heiles", "third_order"),
           std::pair("stiff_spring", "stiff"), std::pair("nonholonomic_particle", "uniform_rise"),
