@@ -56,27 +56,53 @@ inline constexpr ChebyshevPowers<window_nodes - 1> window_powers{};
 // t0 + i dt as an unevaluated sum high + low, high rounded.
 struct ExactTimes {
     double t0, dt;
+    template <int N> struct Sum { typename Lanes<N>::Vector high, low; };
+    template <int N> [[gnu::always_inline]] Sum<N> at(typename Lanes<N>::Vector i) const {
+        using L = Lanes<N>;
+        const typename L::Vector step = L::all(dt), p = L::product(i, step), a = L::all(t0), s = a + p,
+                                 part = s - a;
+        const typename L::Vector rest = ((a - (s - part)) + (p - part)) + L::product_error(i, step, p),
+                                 sum = s + rest;
+        return {sum, (s - sum) + rest};
+    }
     [[gnu::always_inline]] void at(std::size_t i, double& high, double& low) const {
-        using L = Lanes<2>;
-        const L::Vector n = L::all(static_cast<double>(i)), step = L::all(dt), p = L::product(n, step);
-        const L::Vector a = L::all(t0), s = a + p, part = s - a;
-        const L::Vector rest = ((a - (s - part)) + (p - part)) + L::product_error(n, step, p), sum = s + rest;
-        high = sum[0];
-        low = ((s - sum) + rest)[0];
+        const Sum<2> sum = at<2>(Lanes<2>::all(static_cast<double>(i)));
+        high = sum.high[0];
+        low = sum.low[0];
+    }
+    // Of from, from + 1, ...; there is room for whole vectors.
+    void list(std::size_t from, std::size_t n, double* high, double* low) const {
+        using L = Lanes<lanes>;
+        typename L::Vector steps{};
+        for (int j = 0; j < lanes; ++j) steps[j] = j;
+        for (std::size_t k = 0; k < n; k += lanes) {
+            const Sum<lanes> sum = at<lanes>(L::all(static_cast<double>(from + k)) + steps);
+            L::store(high + k, sum.high);
+            L::store(low + k, sum.low);
+        }
     }
 };
 
 // Up to `chunk` points one by one.
 inline void point_by_point(const View& w, const ExactTimes& times, std::size_t from, std::size_t n,
                            const Target& target, Status* status, const Direct* direct, BatchReport& report) {
-    double t[chunk], exact_low[chunk], used[chunk], low[chunk];
+    static_assert(chunk % lanes == 0);
+    double t[chunk], exact_low[chunk];
+    const auto is_ok = [&](std::size_t i) {
+        double time = 0, rest = 0;
+        times.at(i, time, rest);
+        return status_of(w, time) == Status::ok;
+    };
+    times.list(from, n, t, exact_low);
+    if (is_ok(from) && is_ok(from + n - 1)) { // and so are those between
+        values_at<true>(w, t, exact_low, n, times.dt >= 0, target.wanted, target.from(from).to);
+        all_fine(status == nullptr ? nullptr : status + from, n);
+        return;
+    }
+    double used[chunk], low[chunk];
     double last = w.begin, last_low = 0;
-    bool ok = true;
     for (std::size_t i = 0; i < n; ++i) {
-        times.at(from + i, t[i], exact_low[i]);
-        const Status s = status_of(w, t[i]);
-        ok = ok && s == Status::ok;
-        if (answers(s)) {
+        if (answers(status_of(w, t[i]))) {
             last = t[i];
             last_low = exact_low[i];
         }
@@ -84,22 +110,47 @@ inline void point_by_point(const View& w, const ExactTimes& times, std::size_t f
         low[i] = last_low;
     }
     values_at<true>(w, used, low, n, look(w, used, n).ascend, target.wanted, target.from(from).to);
-    if (ok)
-        all_fine(status == nullptr ? nullptr : status + from, n);
-    else
-        repair(w, t, exact_low, from, n, target, status, direct, report);
+    repair(w, t, exact_low, from, n, target, status, direct, report);
 }
 
-// The polynomial of one output in a window at the points u0 + j du.
-inline void in_window(const double* values, double u0, double du, std::size_t n, double* to) {
+// The coefficients of one output in several windows, by powers: that of u^j in window k is at[j][k].
+struct WindowPolynomials {
+    double at[window_nodes][windows_at_once];
+
+    // Several windows side by side: sums for one of them would wait for each other.
+    void set(const double* values, std::size_t count) {
+        using L = Lanes<lanes>;
+        for (std::size_t first = 0; first < count; first += lanes) {
+            L::Vector value[window_nodes], series[window_nodes] = {};
+            for (std::size_t j = 0; j < window_nodes; ++j)
+                for (std::size_t k = 0; k < lanes; ++k) {
+                    const std::size_t window = first + k < count ? first + k : count - 1;
+                    value[j][k] = values[window * window_nodes + j];
+                }
+            const L::Vector base = value[window_nodes / 2];
+            for (std::size_t j = 0; j < window_nodes; ++j)
+                for (std::size_t k = 0; k < window_nodes; ++k)
+                    series[k] =
+                        L::multiply_add(value[j] - base, L::all(window_rule.to_series[j][k]), series[k]);
+            for (std::size_t j = 0; j < window_nodes; ++j) {
+                L::Vector sum{};
+                for (std::size_t k = window_nodes - 1 - (window_nodes - 1 - j) % 2;;
+                     k -= 2) { // of its parity
+                    sum = L::multiply_add(series[k], L::all(window_powers.at[k][j]), sum);
+                    if (k == j) break;
+                }
+                L::store(at[j] + first, j == 0 ? sum + base : sum);
+            }
+        }
+    }
+};
+
+// The polynomial of one window at the points u0 + j du.
+inline void in_window(const WindowPolynomials& polynomials, std::size_t window, double u0, double du,
+                      std::size_t n, double* to) {
     using L = Lanes<lanes>;
-    double series[window_nodes] = {}, c[window_nodes] = {};
-    const double base = values[window_nodes / 2];
-    for (int j = 0; j < window_nodes; ++j)
-        for (int k = 0; k < window_nodes; ++k) series[k] += (values[j] - base) * window_rule.to_series[j][k];
-    for (int k = window_nodes - 1; k >= 0; --k)
-        for (int j = 0; j < window_nodes; ++j) c[j] += series[k] * window_powers.at[k][j];
-    c[0] += base;
+    double c[window_nodes];
+    for (std::size_t j = 0; j < window_nodes; ++j) c[j] = polynomials.at[j][window];
     L::Vector steps{};
     for (int j = 0; j < lanes; ++j) steps[j] = j;
     const L::Vector origin = L::all(u0), step = L::all(du);
@@ -150,6 +201,7 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
     const bool windows = t0 - t0 == 0 && many_in(wide) && size > 0x1p-900;
     Window window[windows_at_once];
     double at[windows_at_once * window_nodes], values[most_outputs][windows_at_once * window_nodes];
+    WindowPolynomials polynomials;
     double* to[most_outputs];
     for (unsigned o = 0; o < w.outputs && o < most_outputs; ++o) to[o] = values[o];
     for (std::size_t i = 0; i < n;) {
@@ -191,10 +243,11 @@ inline BatchReport grid(const View& w, double t0, double dt, std::size_t n, doub
         values_at<false>(w, at, nullptr, count * window_nodes, dt > 0, target.wanted, to);
         for (unsigned o = 0; o < w.outputs; ++o) {
             if ((target.wanted >> o & 1) == 0) continue;
+            polynomials.set(values[o], count);
             for (std::size_t k = 0; k < count; ++k) {
                 double t = 0, low = 0;
                 times.at(window[k].first, t, low);
-                in_window(values[o] + k * window_nodes, ((t - window[k].centre) + low) / window[k].half,
+                in_window(polynomials, k, ((t - window[k].centre) + low) / window[k].half,
                           dt / window[k].half, window[k].count, target.to[o] + window[k].first);
             }
         }
