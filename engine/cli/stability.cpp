@@ -18,7 +18,7 @@ namespace resonform {
 
 namespace {
 
-constexpr std::uint64_t most_points = 1'000'000;
+constexpr std::uint64_t most_points_drawn = 1'000'000;
 
 int run_stability(const std::string& scene, std::size_t points, std::uint64_t seed,
                   const DerivationLimits& limits, const std::string& format) {
@@ -45,7 +45,7 @@ void add_stability(CLI::App& app, Action& action) {
     const FormatOption format(*command, {"text", "json"});
     const LimitOptions limits(*command);
     on_choice(*command, action, [=] {
-        return run_stability(*scene, read_integer("--points", *points, 1, most_points, 3000),
+        return run_stability(*scene, read_integer("--points", *points, 1, most_points_drawn, 3000),
                              read_integer("--seed", *seed, 0, std::numeric_limits<std::uint64_t>::max(), 3),
                              limits.value(), format.value());
     });

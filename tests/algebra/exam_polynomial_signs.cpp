@@ -15,7 +15,7 @@ std::string text(const SignSet& set) {
     return std::string(set.negative ? "-" : "") + (set.zero ? "0" : "") + (set.positive ? "+" : "");
 }
 
-class PolynomialSignsTest : public testing::Test {
+class PolynomialSignsTest : public ::testing::Test {
 protected:
     using Coefficients = std::vector<int>; // of 1, x, x^2, ...
 

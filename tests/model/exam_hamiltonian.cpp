@@ -6,19 +6,19 @@
 namespace resonform {
 namespace {
 
-const std::string oscillator = "[system]\n"
-                               "name = \"oscillator\"\n"
-                               "[parameters]\n"
-                               "g = { positive = true }\n"
-                               "[variables]\n"
-                               "x = { role = \"fast\" }\n"
-                               "p = { role = \"fast\" }\n"
-                               "[hamiltonian]\n"
-                               "energy = \"p^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n"
-                               "momenta = { x = \"p\" }\n";
+const std::string hamiltonian_oscillator = "[system]\n"
+                                           "name = \"oscillator\"\n"
+                                           "[parameters]\n"
+                                           "g = { positive = true }\n"
+                                           "[variables]\n"
+                                           "x = { role = \"fast\" }\n"
+                                           "p = { role = \"fast\" }\n"
+                                           "[hamiltonian]\n"
+                                           "energy = \"p^2/2 + g*(1 - cos(x)) + eps*x^2*p\"\n"
+                                           "momenta = { x = \"p\" }\n";
 
 TEST(HamiltonianSystem, EquationsAreDerived) {
-    const System system = read_system_text(oscillator, "system.toml");
+    const System system = read_system_text(hamiltonian_oscillator, "system.toml");
     ASSERT_EQ(system.equations.size(), 2U);
     EXPECT_EQ(system.equations[0].text, "x' = eps*x^2 + p");
     EXPECT_EQ(system.equations[1].text, "p' = -2*eps*p*x -g*sin(x)");
@@ -29,12 +29,13 @@ TEST(HamiltonianSystem, EquationsAreDerived) {
 }
 
 TEST(HamiltonianSystem, EquationsMayBeGivenAsWell) {
-    EXPECT_EQ(system_message(oscillator + "[equations]\nx = \"2*x' - 2*p = 2*eps*x^2\"\n"), "");
+    EXPECT_EQ(system_message(hamiltonian_oscillator + "[equations]\nx = \"2*x' - 2*p = 2*eps*x^2\"\n"), "");
 }
 
 TEST(HamiltonianSystem, OtherVariablesHaveTheirEquations) {
     const std::string swinging =
-        edited(edited(oscillator, "p = {", "tau = { role = \"slow\" }\np = {"), "g*(1", "(1 + tau^2)*(1");
+        edited(edited(hamiltonian_oscillator, "p = {", "tau = { role = \"slow\" }\np = {"), "g*(1",
+               "(1 + tau^2)*(1");
     EXPECT_EQ(system_message(swinging + "[equations]\ntau = \"tau' = eps\"\n"), "");
     EXPECT_NE(system_message(swinging), "");
 }
@@ -43,7 +44,7 @@ class BadHamiltonian : public testing::TestWithParam<BadInput> {};
 
 TEST_P(BadHamiltonian, IsRefusedInOneMessage) {
     const BadInput& bad = GetParam();
-    EXPECT_EQ(system_message(edited(oscillator, bad.from, bad.to)), bad.message);
+    EXPECT_EQ(system_message(edited(hamiltonian_oscillator, bad.from, bad.to)), bad.message);
 }
 
 const BadInput bad_hamiltonians[] = {

@@ -26,15 +26,15 @@ protected:
     }
 };
 
-const std::string constants = "amplitude.x = 1\nphase.x = 0\n";
-const std::string ladder = "[verify]\neps = [\"1/40\", \"1/80\", \"1/160\"]\ninterval = \"1/eps\"\n";
+const std::string start_constants = "amplitude.x = 1\nphase.x = 0\n";
+const std::string ladder_text = "[verify]\neps = [\"1/40\", \"1/80\", \"1/160\"]\ninterval = \"1/eps\"\n";
 
 TEST_F(Relaxing, AStiffnessThatFadesOrGrows) {
     for (const char* law : {"-2*eps*s", "eps*s/2"})
         expect_passes("[variables]\nx = { role = \"fast\" }\ns = { role = \"slow\", positive = true }\n"
                       "[equations]\nx = \"x'' + s*x + x^3 = 0\"\ns = \"s' = " +
                           std::string(law) + "\"\n",
-                      "order = 2\n[start]\n" + constants + "s = 1\n" + ladder, {});
+                      "order = 2\n[start]\n" + start_constants + "s = 1\n" + ladder_text, {});
 }
 
 TEST_F(Relaxing, TwoVariablesBesideAModeThatDecays) {
@@ -46,7 +46,7 @@ TEST_F(Relaxing, TwoVariablesBesideAModeThatDecays) {
         "s = \"s' = eps*(1 - 2*s)\"\nu = \"u' = -eps*u/3\"\n",
         "order = 2\noutputs = [\"x\", \"y\", \"s\", \"u\"]\n[start]\nx = \"eps\"\n\"x'\" = 0\ny = 1\n"
         "s = 0\nu = 2\n" +
-            ladder,
+            ladder_text,
         {"u_x", "v_x"});
 }
 
@@ -55,7 +55,8 @@ const std::string cooling = "[parameters]\nb = { positive = true }\n"
                             "[domain]\npositive = [\"2 + s\"]\n"
                             "[equations]\nx = \"x'' + (2 + s)*x + x^3 = 0\"\ns = \"s' = eps*(1 - b*s)\"\n";
 std::string cooling_at(const std::string& b) {
-    return "order = 1\noutputs = [\"s\", \"x\"]\n[fix]\nb = \"" + b + "\"\n[start]\n" + constants + "s = 1\n";
+    return "order = 1\noutputs = [\"s\", \"x\"]\n[fix]\nb = \"" + b + "\"\n[start]\n" + start_constants +
+           "s = 1\n";
 }
 
 TEST_F(Relaxing, KeepsItsDigitsWhereLittleHasHappened) {
@@ -80,7 +81,7 @@ TEST_F(Relaxing, DampingEndsLikewise) {
     const Scene scene =
         written("[parameters]\nd = { positive = true }\n[variables]\nx = { role = \"fast\" }\n"
                 "[equations]\nx = \"x'' + 2*eps*d*x' + x + x^3 = 0\"\n",
-                "order = 2\n[fix]\nd = 1000\n[start]\n" + constants);
+                "order = 2\n[fix]\nd = 1000\n[start]\n" + start_constants);
     const double eps = 1e-3;
     const auto at = [&, program = test::program_of(scene)](double t, double slow_time_end, Status expected) {
         const Interpreter<double> evaluator(program, eps, {}, {}, slow_time_end);

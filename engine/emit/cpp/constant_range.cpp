@@ -12,10 +12,10 @@ namespace {
 
 using Value = StraightLine::Value;
 
-constexpr double furthest = 900;        // binary exponents of double, less the digits of doubled precision
-constexpr double least_bound = 100;     // 1e30
-constexpr double cancelled = 110;       // binary digits that a sum in doubled precision may lose
-constexpr double nearest_to_zero = 128; // of sin, cos, log, at arguments that have so many digits
+constexpr double furthest = 900;         // binary exponents of double, less the digits of doubled precision
+constexpr double least_bound = 100;      // 1e30
+constexpr double digits_cancelled = 110; // binary digits that a sum in doubled precision may lose
+constexpr double nearest_to_zero = 128;  // of sin, cos, log, at arguments that have so many digits
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // A binary logarithm, at most slope * bound + offset; neither is negative.
@@ -66,7 +66,7 @@ Size size_of(const StraightLine::Instruction& i, const std::vector<Size>& x) {
         for (const Size& term : x)
             result = {larger(result.above, term.above), larger(result.below, term.below)};
         result.above.offset += std::log2(static_cast<double>(x.size()));
-        result.below.offset += cancelled;
+        result.below.offset += digits_cancelled;
         return result;
     case StraightLine::Op::multiply:
         for (const Size& factor : x) result = {result.above + factor.above, result.below + factor.below};

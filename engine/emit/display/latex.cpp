@@ -135,7 +135,7 @@ void append(std::string& text, const std::string& factor) {
 }
 
 // Factors side by side, as above a fraction bar or below; a lone sum needs no parentheses there.
-struct Product {
+struct LatexProduct {
     std::string text;
     std::string lone_sum = {}; // of the only factor so far, if that is a sum
     // Where the argument without parentheses begins that ends the text; 0: none does.
@@ -155,9 +155,9 @@ struct Product {
 };
 
 // |coefficient| * [i] * factors; integrals and functions stand after the fraction bar.
-Product head(const DisplayTerm& term) {
+LatexProduct head(const DisplayTerm& term) {
     const Rational size = cln::abs(term.coefficient);
-    Product above, below, behind;
+    LatexProduct above, below, behind;
     if (term.digits > 0) {
         if (size != 1) above.text = decimal_latex(size, term.digits);
     } else if (cln::numerator(size) != 1) {
@@ -168,10 +168,10 @@ Product head(const DisplayTerm& term) {
     if (term.imaginary) append(above.text, "i");
     for (const DisplayFactor& factor : term.factors) {
         const bool wide = factor.kind == FactorKind::function || factor.kind == FactorKind::integral;
-        Product& place = factor.exponent < 0 ? below : wide ? behind : above;
+        LatexProduct& place = factor.exponent < 0 ? below : wide ? behind : above;
         place.multiply(factor, cln::abs(factor.exponent));
     }
-    Product all{above.text};
+    LatexProduct all{above.text};
     if (!below.text.empty())
         all.text =
             fmt::format("\\frac{{{}}}{{{}}}", above.text.empty() ? "1" : above.on_bar(), below.on_bar());
@@ -182,7 +182,7 @@ Product head(const DisplayTerm& term) {
 
 std::string unsigned_term(const DisplayTerm& term) {
     if (is_bare_sum(term)) return latex(term.factors.front().arguments.front());
-    Product product = head(term);
+    LatexProduct product = head(term);
     for (const DisplayFactor& factor : term.tail) product.multiply(factor, factor.exponent);
     return product.text.empty() ? "1" : product.text;
 }

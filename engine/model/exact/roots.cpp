@@ -13,8 +13,8 @@ using GiNaC::numeric;
 namespace {
 
 // The factors of a polynomial with their exponents: symbols, then the square-free factors of the rest.
-std::vector<std::pair<ex, int>> factors_of(ex polynomial,
-                                           const std::vector<ExactForm::Generator>& generators) {
+std::vector<std::pair<ex, int>> factor_powers(ex polynomial,
+                                              const std::vector<ExactForm::Generator>& generators) {
     std::vector<std::pair<ex, int>> factors;
     for (const ExactForm::Generator& g : generators) {
         const int n = polynomial.ldegree(g.symbol);
@@ -52,7 +52,7 @@ ex ExactForm::root_of_polynomial(const ex& base, int index) {
     if (base.is_zero()) return 0;
     const numeric content = GiNaC::ex_to<numeric>(base.integer_content());
     ex result = root_of_number(content, index), inside = 1;
-    for (const auto& [factor, exponent] : factors_of((base / content).expand(), generators_)) {
+    for (const auto& [factor, exponent] : factor_powers((base / content).expand(), generators_)) {
         const bool negative = positive(-factor);
         const ex f = negative ? ex(-factor) : factor;
         if (negative && exponent % 2 == 1) inside = -inside;

@@ -12,8 +12,8 @@ using Row = std::vector<long double>;
 using Matrix = std::vector<Row>;
 
 constexpr int pieces = 64;
-constexpr int most_steps = 64;       // of a piece
-constexpr long double longest = 0.5; // step, times |df/dy|
+constexpr int most_steps = 64;            // of a piece
+constexpr long double longest_step = 0.5; // times |df/dy|
 constexpr int series_terms = 6;
 
 // By the largest sum of a row.
@@ -35,7 +35,7 @@ Matrix product(const Matrix& a, const Matrix& b) {
     return c;
 }
 
-// e^(h slopes) b, |h slopes| <= `longest`
+// e^(h slopes) b, |h slopes| <= `longest_step`
 Matrix stepped(const Matrix& slopes, long double h, const Matrix& b) {
     Matrix sum = b, term = b;
     for (int n = 1; n <= series_terms; ++n) {
@@ -87,7 +87,7 @@ void SymbolicPropagation::carry_on(const Flow& flow, const Float128& left) {
     const auto length = static_cast<long double>(piece_);
     Row sizes = scales_.back();
     Matrix at = slopes(flow, left + piece_ / 2, sizes);
-    const long double needed = std::ceil(norm(at) * length / longest);
+    const long double needed = std::ceil(norm(at) * length / longest_step);
     if (!(needed <= most_steps)) return;
     const int steps = std::max(1, static_cast<int>(needed));
     for (int i = 0; i < steps; ++i) {
