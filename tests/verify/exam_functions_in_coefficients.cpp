@@ -31,8 +31,9 @@ TEST_P(FunctionsInCoefficients, AreSolved) {
     EXPECT_TRUE(v.as_expected()) << to_text(v.emitted);
 }
 
+// 3 + log(tau) would be a difference of equal numbers at tau = 0.05, where some starts are drawn.
 INSTANTIATE_TEST_SUITE_P(SlowOfEveryKind, FunctionsInCoefficients,
-                         testing::Values("2 + sin(3*tau)", "1 + exp(-2*tau)", "3 + log(tau)",
+                         testing::Values("2 + sin(3*tau)", "1 + exp(-2*tau)", "4 + log(tau)",
                                          "1 + tan(tau)^2", "2 + atan(tau - 1)", "1 + sinh(tau)",
                                          "cosh(al*tau)", "1 + tanh(tau)", "2 + asin(tau/2)",
                                          "2 + acos(tau/2)", "1 + asinh(tau)", "1 + acosh(1 + tau)",
