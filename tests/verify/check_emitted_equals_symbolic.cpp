@@ -50,7 +50,7 @@ EmittedCheck checked(const Made& m, const std::shared_ptr<const EvaluatorLibrary
 }
 
 EmittedCheck checked(const Made& m, const fs::path& folder = cache()) {
-    return checked(m, EvaluatorLibrary::build(m.program, folder, {}, "dlfe"), folder);
+    return checked(m, EvaluatorLibrary::build(m.program, folder, {}, "dl"), folder);
 }
 
 std::shared_ptr<const EvaluatorLibrary> interpreted(const Made& m) {
@@ -116,7 +116,7 @@ TEST(SlowEmittedEqualsSymbolic, WhereALoopWalksTheConstants) {
     scene.order = 5;
     const Made m = made(std::move(scene));
     ASSERT_TRUE(CppPlan(m.program).walks_constants());
-    const auto library = EvaluatorLibrary::build(m.program, cache(), {}, "dlfe");
+    const auto library = EvaluatorLibrary::build(m.program, cache(), {}, "dl");
     const EmittedCheck check = check_emitted(m.program, library, m.solution, m.scene, {cache(), {}, 4, 10});
     EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
     EXPECT_LT(check.worst(), 4) << to_text(check);
