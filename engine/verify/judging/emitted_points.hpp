@@ -43,9 +43,9 @@ template <class Real> struct EmittedPoints {
 };
 
 // eps is drawn from the ladder of the scene and three decades below it, log-uniform; start values within a
-// factor of 10 of the scene's, and of every second start those that are 0 within +-eps^weight (the first start
-// is the scene's); half of the times, the first among them, from a grid in [0, interval], and half log-uniform
-// from 1e-12 of it. Precondition: every parameter is fixed.
+// factor of 10 of the scene's, and of every second start those that are 0 within +-eps^weight (the first
+// start is the scene's); half of the times, the first among them, from a grid in [0, interval], and half
+// log-uniform from 1e-12 of it. Precondition: every parameter is fixed.
 template <class Real>
 std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t starts, std::size_t times,
                                                 std::uint64_t seed);
