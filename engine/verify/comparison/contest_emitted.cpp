@@ -2,6 +2,7 @@
 // The forms of emitted code.
 #include "verify/comparison/contest.hpp"
 #include "verify/evaluate/ensemble.hpp"
+#include "verify/evaluate/evaluator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +21,6 @@ std::vector<Form> forms_of(Task task) {
     case Task::ensemble: return {Form::ensemble};
     }
     return {};
-}
-
-std::vector<double*> arrays_of(OutputValues& values) {
-    std::vector<double*> arrays;
-    for (auto& v : values) arrays.push_back(v.data());
-    return arrays;
 }
 
 Status first_not_ok(const Statuses& statuses) {

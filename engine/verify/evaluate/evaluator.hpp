@@ -82,6 +82,13 @@ private:
     void (*grid_)(const void*, const Real*, const Real*, long, Real* const*, unsigned char*) = nullptr;
 };
 
+// Where values[output][point] go, as batch and grid take it, and ensembles. They must not grow meanwhile.
+template <class Real> std::vector<Real*> arrays_of(std::vector<std::vector<Real>>& values) {
+    std::vector<Real*> arrays;
+    for (std::vector<Real>& array : values) arrays.push_back(array.data());
+    return arrays;
+}
+
 // "outside_domain: 1 - tau", or the status alone where it has no cause.
 std::string told(Status status, const std::string& why);
 

@@ -46,17 +46,11 @@ void ask_one_by_one(const EmittedPoints<Real>& points, EmittedAnswers<Real>& ans
     }
 }
 
-template <class Real> std::vector<Real*> rows_of(EmittedAnswers<Real>& answers) {
-    std::vector<Real*> rows;
-    for (std::vector<Real>& row : answers.values) rows.push_back(row.data());
-    return rows;
-}
-
 // Sets the answers at those times that the grid goes through.
 void ask_grid(const EmittedProgram& code, const Evaluator<double>& emitted,
               const EmittedPoints<double>& points, EmittedAnswers<double>& answers) {
     EmittedAnswers<double> whole = room<double>(code, answers.form, answers.start, grid_points);
-    emitted.grid(points.grid.t0, points.grid.dt, rows_of(whole), whole.statuses);
+    emitted.grid(points.grid.t0, points.grid.dt, arrays_of(whole.values), whole.statuses);
     for (const auto& [time, place] : points.grid.places) {
         answers.times.push_back(time);
         answers.statuses.push_back(whole.statuses[place]);
@@ -85,7 +79,7 @@ void ask_members(const EmittedProgram& code, const EmittedPoints<double>& points
     std::vector<const double*> arguments;
     for (const std::vector<double>& column : columns) arguments.push_back(column.data());
     EnsembleLibrary(code.library)
-        .evaluate(arguments, count, points.times.data(), rows_of(answers), answers.statuses.data(),
+        .evaluate(arguments, count, points.times.data(), arrays_of(answers.values), answers.statuses.data(),
                   answers.form == EmittedForm::ensemble);
 }
 
@@ -99,7 +93,7 @@ void add_many(const EmittedProgram& code, const Evaluator<double>& emitted,
     const std::size_t count = points.times.size();
     if (code.program.has_tables()) {
         EmittedAnswers<double>& batch = asked(EmittedForm::batch, count);
-        emitted.batch(points.times, rows_of(batch), batch.statuses);
+        emitted.batch(points.times, arrays_of(batch.values), batch.statuses);
         ask_grid(code, emitted, points, asked(EmittedForm::grid, 0));
     }
     if (FinalPointLibrary::is_in(*code.library))

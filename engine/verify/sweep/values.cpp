@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verify/sweep/values.hpp"
 
+#include "verify/evaluate/evaluator.hpp"
 #include "verify/evaluate/interpretation.hpp"
 #include "verify/sweep/arguments.hpp"
 
@@ -35,9 +36,7 @@ void SweepValues::operator()(std::uint64_t first, std::uint64_t count, double* n
     else
         for (std::size_t i = 0; i < members; ++i) t[i] = times_[i % rows];
     std::vector<std::vector<double>> values(outputs, std::vector<double>(members));
-    std::vector<double*> arrays;
-    for (auto& value : values) arrays.push_back(value.data());
-    library_.evaluate(arguments, members, t.data(), arrays, status);
+    library_.evaluate(arguments, members, t.data(), arrays_of(values), status);
     for (std::size_t i = 0; i < members; ++i) {
         numbers[i * columns] = t[i];
         for (std::size_t k = 0; k < outputs; ++k)
