@@ -459,6 +459,12 @@ private:
         return tables_0_(T);
     }
 
+    template <class Number> static std::array<Number, 1> widened(const std::array<Real, 1>& values) {
+        std::array<Number, 1> wide;
+        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
+        return wide;
+    }
+
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
@@ -510,7 +516,13 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 12> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+        using Fine = resonform::kernel::Fine;
+        Constants<Fine> fine = [this] {
+            Constants<Fine> c;
+            compute_constants(of.eps_, Parameters{}, of.start_, c);
+            return c;
+        }();
+        std::array<Fine, 12> amplitudes(const Fine& T) const { return Evaluator::amplitudes(fine, T, widened<Fine>(of.look_up_1(static_cast<Real>(T)))); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;

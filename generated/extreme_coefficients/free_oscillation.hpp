@@ -408,7 +408,13 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 5> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T); }
+        using Fine = resonform::kernel::Fine;
+        Constants<Fine> fine = [this] {
+            Constants<Fine> c;
+            keep_constants(of.eps_, Parameters{}, of.start_, c);
+            return c;
+        }();
+        std::array<Fine, 5> amplitudes(const Fine& T) const { return Evaluator::amplitudes(fine, T); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;

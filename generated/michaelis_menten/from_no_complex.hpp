@@ -739,7 +739,13 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 7> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+        using Fine = resonform::kernel::Fine;
+        Constants<Fine> fine = [this] {
+            Constants<Fine> c;
+            keep_constants(of.eps_, Parameters{}, of.start_, c);
+            return c;
+        }();
+        std::array<Fine, 7> amplitudes(const Fine& T) const { return Evaluator::amplitudes(fine, T, widened<Fine>(of.look_up_1(static_cast<Real>(T)))); }
 
         template <class Wide> struct Phases {
             const Evaluator& of;

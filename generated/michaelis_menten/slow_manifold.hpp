@@ -450,6 +450,12 @@ private:
         return tables_0_(T);
     }
 
+    template <class Number> static std::array<Number, 1> widened(const std::array<Real, 1>& values) {
+        std::array<Number, 1> wide;
+        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
+        return wide;
+    }
+
     // The arguments at t + low.
     Status locate(const Real& t, [[maybe_unused]] const Real& low, Arguments& a) const noexcept {
         if (cause_.status != Status::ok) return cause_.status;
@@ -488,7 +494,13 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        std::array<double, 2> amplitudes(double T) const { return Evaluator::amplitudes(of.constants_, T, of.look_up_1(T)); }
+        using Fine = resonform::kernel::Fine;
+        Constants<Fine> fine = [this] {
+            Constants<Fine> c;
+            keep_constants(of.eps_, Parameters{}, of.start_, c);
+            return c;
+        }();
+        std::array<Fine, 2> amplitudes(const Fine& T) const { return Evaluator::amplitudes(fine, T, widened<Fine>(of.look_up_1(static_cast<Real>(T)))); }
     };
 
     Status prepare_tables() const noexcept {
@@ -570,6 +582,7 @@ private:
         if (const Cause bad = Interval::check(eps, end); bad.status != Status::ok) return bad;
         interval_ = Interval(eps, end);
         eps_ = eps;
+        start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
         if (const Cause failed = interval_.shorten(
@@ -590,6 +603,7 @@ private:
     Interval interval_;
     resonform::FlowTable<std::array<Real, 1>> tables_0_;
     Real eps_{};
+    Start start_;
     resonform::SharedTables shared_;
     Cause cause_;
 };

@@ -100,8 +100,7 @@ protected:
         typename Quad::Values at{};
         const auto* numbers = reinterpret_cast<const Float128*>(&at);
         for (int j = 8; j >= 0; --j) {
-            const Status seen = exact(t + Float128(0.8 * j), at);
-            if (j > 0 && seen != Status::ok) continue;
+            if (exact(t + Float128(0.8 * j), at) != Status::ok) exact(t - Float128(0.8 * j), at);
             for (std::size_t k = 0; k < count; ++k)
                 scale[k] = std::max(scale[k], std::abs(static_cast<double>(numbers[k])));
         }

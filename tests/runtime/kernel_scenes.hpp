@@ -66,7 +66,8 @@ template <class Real> struct Pendulum {
             eighth = sqrt(quarter);
         }
     };
-    std::array<Real, 12> amplitudes(const Real& T) const {
+    template <class Number> std::array<Real, 12> amplitudes(const Number& fine) const {
+        const auto T = static_cast<Real>(fine);
         using math::asinh;
         const Powers<Real> p(T);
         const Real e2 = eps * eps, e3 = e2 * eps;
@@ -124,7 +125,8 @@ template <class Real, std::size_t Phases> struct Many {
     std::array<double, 3> scale{1, 1, 1};
 
     explicit Many(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
-    std::array<Real, count> amplitudes(const Real& T) const {
+    template <class Number> std::array<Real, count> amplitudes(const Number& fine) const {
+        const auto T = static_cast<Real>(fine);
         std::array<Real, count> result;
         for (std::size_t r = 0; r < count; ++r) {
             int size = 0;
@@ -165,7 +167,8 @@ template <class Real> struct Layers {
     double reach;
 
     explicit Layers(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
-    std::array<Real, 9> amplitudes(const Real& T) const {
+    template <class Number> std::array<Real, 9> amplitudes(const Number& fine) const {
+        const auto T = static_cast<Real>(fine);
         const Real s = Real(1) + T * T;
         return {eps * s,       Real(1), eps * eps * T, eps * s, Real(1) / s, eps / (s + Real(1)), eps * s,
                 eps * eps * T, s};
@@ -212,7 +215,8 @@ template <class Real> struct Atoms {
     double reach;
 
     explicit Atoms(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
-    std::array<Real, 3> amplitudes(const Real& T) const {
+    template <class Number> std::array<Real, 3> amplitudes(const Number& fine) const {
+        const auto T = static_cast<Real>(fine);
         return {Real(2) + T * T, T - Real(1) / Real(3), Real(0)};
     }
     std::array<Real, 2> constants() const { return {Real(3) / Real(2), Real(7)}; }
@@ -241,7 +245,9 @@ template <class Real> struct Mean {
     double reach;
     std::array<double, 1> scale{1};
     explicit Mean(double e, double last = 1) : eps(e), end(last), reach(kernel::last_time(e, last)) {}
-    std::array<Real, 1> amplitudes(const Real& T) const { return {Real(1) / (Real(1) + T * T)}; }
+    template <class Number> std::array<Real, 1> amplitudes(const Number& T) const {
+        return {static_cast<Real>(Number(1) / (Number(1) + T * T))};
+    }
     template <class Wide> PhasesOf<Wide, Mean> rates() const { return {*this, {}}; }
     template <class Wide> std::array<Wide, 0> rate(const Wide&) const { return {}; }
 };

@@ -50,6 +50,15 @@ private:
     std::string data_members() const;
     // Whether Parameters hold anything.
     bool has_parameters() const { return !program_.parameters.empty() || !plan_.callables.empty(); }
+    // For numbers that are computed when tables are built.
+    std::string parameters() const { return has_parameters() ? "of.parameters_" : "Parameters{}"; }
+    std::string constants_function() const {
+        return plan_.range.native ? "compute_constants" : "keep_constants";
+    }
+    std::string widened_tables(const char* number, const char* of = "of.") const {
+        return fmt::format("widened<{}>({}look_up_{}(static_cast<Real>(T)))", number, of,
+                           plan_.levels.size());
+    }
 
     const Program& program_;
     const CppPlan& plan_;
@@ -63,9 +72,9 @@ std::string CppFrame::aliases() const {
     return text + "\n";
 }
 
-// Tables are kept in Real; a phase that needs them takes them as they are.
+// Tables are kept in Real; phases and amplitudes that need them take them as they are.
 std::string CppFrame::widened() const {
-    if (!plan_.rounded_phases()) return "";
+    if (!plan_.rounded_phases() && (plan_.levels.empty() || !program_.has_tables())) return "";
     return filled(frames::widened, {{"size", std::to_string(plan_.columns_before(plan_.levels.size()))}});
 }
 
@@ -183,15 +192,12 @@ std::string CppFrame::rates() const {
     if (program_.phases.empty()) return "";
     std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        const std::string tables =
-            plan_.phase_uses_tables[k]
-                ? fmt::format(", widened<Wide>(of.look_up_{}(static_cast<Real>(T)))", plan_.levels.size())
-                : "";
+        const std::string tables = plan_.phase_uses_tables[k] ? ", " + widened_tables("Wide") : "";
         list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k], tables));
     }
     return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
-                                  {"constants", plan_.range.native ? "compute_constants" : "keep_constants"},
-                                  {"parameters", has_parameters() ? "of.parameters_" : "Parameters{}"},
+                                  {"constants", constants_function()},
+                                  {"parameters", parameters()},
                                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                   {"rates", fmt::format("{}", fmt::join(list, ", "))}});
 }
@@ -210,7 +216,9 @@ std::string CppFrame::rows() const {
          {"recipe", recipe()},
          {"what", plan_.recipe ? "The outputs by operations on atoms and turned modes"
                                : "The outputs as sums of rows: amplitudes times 1, cosines and sines"},
-         {"tables", plan_.levels.empty() ? "" : fmt::format(", of.look_up_{}(T)", plan_.levels.size())},
+         {"constants", constants_function()},
+         {"parameters", parameters()},
+         {"tables", plan_.levels.empty() ? "" : ", " + widened_tables("Fine")},
          {"rates", rates()},
          {"rounded", plan_.rounded_phases() ? "true" : "false"}});
 }
@@ -255,10 +263,8 @@ std::string CppFrame::layers() const {
 // For tables that are built later.
 std::string CppFrame::kept_arguments() const {
     if (!program_.has_tables()) return "";
-    std::string text = "        eps_ = eps;\n";
-    if (program_.phases.empty()) return text;
-    if (has_parameters()) text += "        parameters_ = parameters;\n";
-    return text + "        start_ = start;\n";
+    const std::string text = has_parameters() ? "        parameters_ = parameters;\n" : "";
+    return text + "        eps_ = eps;\n        start_ = start;\n";
 }
 
 std::string CppFrame::construct() const {
@@ -295,8 +301,7 @@ std::string CppFrame::construct() const {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);
         if (plan_.phase_uses_tables[k])
-            rate = fmt::format("{}_rate(wide, T, widened<Wide>(look_up_{}(static_cast<Real>(T))))", name,
-                               plan_.levels.size());
+            rate = fmt::format("{}_rate(wide, T, {})", name, widened_tables("Wide", ""));
         text += fmt::format(
             "        const auto {}_rates = {};\n", name,
             cpp_in_pieces(plan_,
@@ -325,10 +330,8 @@ std::string CppFrame::data_members() const {
         text += fmt::format("    resonform::{}<Real> {}_;\n", program_.phases[k].decays() ? "Decay" : "Phase",
                             plan_.phase_names[k]);
     if (program_.has_tables()) {
-        text += "    Real eps_{};\n";
-        if (!program_.phases.empty() && has_parameters()) text += "    Parameters parameters_;\n";
-        if (!program_.phases.empty()) text += "    Start start_;\n";
-        text += "    resonform::SharedTables shared_;\n";
+        if (has_parameters()) text += "    Parameters parameters_;\n";
+        text += "    Real eps_{};\n    Start start_;\n    resonform::SharedTables shared_;\n";
     }
     return cpp_further_members(plan_, further_) +
            "    Constants<Real> constants_{};\n    Interval interval_;\n" + text + "    Cause cause_;\n";

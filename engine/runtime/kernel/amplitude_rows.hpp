@@ -15,7 +15,7 @@
 #define RESONFORM_RUNTIME_KERNEL_AMPLITUDE_ROWS
 
 #include "runtime/kernel/chebyshev.hpp"
-#include "runtime/kernel/view.hpp"
+#include "runtime/kernel/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,8 +43,8 @@ public:
     bool resolved = true;
     int deepest = 0;
 
-    // amplitudes(t), with the part that each row belongs to, part < Rows; lasts(a, b): part a as long as b;
-    // sizes(amplitudes): of the outputs that are made of atoms, or None
+    // amplitudes(t), finer than double, with the part that each row belongs to, part < Rows; lasts(a, b):
+    // part a as long as b; sizes(amplitudes): of the outputs that are made of atoms, or None
     struct None {};
     template <class Amplitudes, class Lasts, class Sizes>
     void fit(const Amplitudes& amplitudes, double root, const std::array<unsigned, Rows>& part,
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    using Values = std::vector<std::array<Side, nodes>>; // of eight rows each
+    using Values = std::vector<std::array<Fine, nodes>>; // of each row
     struct Panel {
         int level;
         std::size_t index;
@@ -137,13 +137,13 @@ private:
         const double width = std::ldexp(root, -level), left = width * static_cast<double>(index);
         Values& values = values_;
         for (std::size_t j = 0; j < nodes; ++j) {
-            const std::array<double, Rows> at = amplitudes(left + width / 2 * (1 + node<double>(j)));
+            const auto at = amplitudes(left + width / 2 * (1 + node<double>(j)));
             for (std::size_t r = 0; r < Rows; ++r) {
-                if (!math::finite(at[r])) {
+                if (!math::finite(static_cast<double>(at[r]))) {
                     status = math::is_not_a_number(at[r]) ? Status::outside_domain : Status::overflow;
                     return;
                 }
-                values[r / group][j].at[r % group] = at[r];
+                values[r][j] = at[r];
             }
         }
         panels_.push_back({level, index, {}, {}, {}, false});
@@ -155,12 +155,13 @@ private:
             deepest = std::max(deepest, level);
             return;
         }
-        for (std::size_t r = 0; r < Rows; ++r) {
-            p.base[r] = values[r / group][nodes / 2].at[r % group];
-            for (std::size_t j = 0; j < nodes; ++j) values[r / group][j].at[r % group] -= p.base[r];
-        }
+        for (std::size_t r = 0; r < Rows; ++r) p.base[r] = static_cast<double>(values[r][nodes / 2]);
         for (std::size_t s = 0; s < sides; ++s) {
-            const auto c = interpolated<double>(values[s]);
+            std::array<Side, nodes> rest{};
+            for (std::size_t r = s * group; r < std::min((s + 1) * group, Rows); ++r)
+                for (std::size_t j = 0; j < nodes; ++j)
+                    rest[j].at[r % group] = static_cast<double>(values[r][j] - Fine(p.base[r]));
+            const auto c = interpolated<double>(rest);
             for (std::size_t k = 0; k < nodes; ++k) p.c[k][s] = c[k];
         }
         double worst = 0; // the last coefficients over their tolerance
@@ -191,7 +192,7 @@ private:
         for (std::size_t j = 0; j < nodes; ++j) {
             std::array<double, Rows> sum{};
             for (std::size_t r = 0; r < Rows; ++r)
-                sum[part_[r]] += std::abs(values[r / group][j].at[r % group]);
+                sum[part_[r]] += std::abs(static_cast<double>(values[r][j]));
             for (std::size_t p = 0; p < parts_.size(); ++p) {
                 const unsigned part = parts_[p];
                 double scale = 0;
@@ -215,7 +216,7 @@ private:
         for (std::size_t j = 0; j < nodes; ++j) {
             std::array<double, Rows> at{};
             for (std::size_t r = 0; r < Rows; ++r) {
-                at[r] = std::abs(values[r / group][j].at[r % group]);
+                at[r] = std::abs(static_cast<double>(values[r][j]));
                 panel.scale[r] = std::max(panel.scale[r], at[r]);
             }
             const auto now = sizes(at);
@@ -285,7 +286,7 @@ private:
         return size;
     }
 
-    Values values_ = Values(sides); // at the nodes of one panel
+    Values values_ = Values(Rows); // at the nodes of one panel
     std::vector<Side> base_;
     std::array<unsigned, Rows> part_{};
     std::vector<unsigned> parts_;               // each by its first row

@@ -6,7 +6,7 @@
 //       static constexpr std::size_t decays;                             // if any; else it may be missing
 //       static constexpr std::array<Term<phases>, R> terms;              // the rows
 //       double eps, reach;                                               // T = eps t, 0 <= t <= reach
-//       std::array<double, R> amplitudes(double T) const;                // of all rows
+//       std::array<Number, R> amplitudes(const Fine& T) const;           // of all rows
 //       template <class Wide> Phases<Wide> rates() const;
 //   };
 //   template <class Wide> struct Phases {
@@ -28,11 +28,17 @@
 #define RESONFORM_RUNTIME_KERNEL_SCENE
 
 #include "runtime/kernel/view.hpp"
+#include "runtime/math.hpp"
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace resonform::kernel {
+
+// What is wrong in an amplitude at a node is wrong in a whole panel: so it has some more digits than double
+// where the processor knows them. (Twice as many would take longer than all the rest.)
+using Fine = std::conditional_t<math::digits<long double> == 64, long double, double>;
 
 enum class Wave : unsigned char { one, cosine, sine };
 
