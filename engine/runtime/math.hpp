@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <type_traits>
 
 namespace resonform::math {
 
@@ -43,6 +44,21 @@ template <class Real> inline constexpr int digits = std::numeric_limits<Real>::d
 #ifdef RESONFORM_FLOAT128
 template <> inline constexpr int digits<Float128> = 113;
 #endif
+
+// Real, or what has some more digits where the processor knows it: for numbers whose error would be that of
+// all points of a table. (Twice as many digits would take longer than all the rest.)
+template <class Real> struct FineOf { using type = Real; };
+template <> struct FineOf<double> {
+    using type = std::conditional_t<digits<long double> == 64, long double, double>;
+};
+template <class Real> using Fine = typename FineOf<Real>::type;
+
+template <class Number, class Real, std::size_t Size>
+std::array<Number, Size> widened(const std::array<Real, Size>& values) {
+    std::array<Number, Size> wide;
+    for (std::size_t k = 0; k < Size; ++k) wide[k] = Number(values[k]);
+    return wide;
+}
 
 // x^exponent by squaring; exponent >= 0.
 template <class Real> constexpr Real power(Real x, int exponent) {

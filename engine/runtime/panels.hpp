@@ -25,8 +25,8 @@ namespace resonform {
 template <class Number> inline constexpr std::size_t panel_nodes = math::digits<Number> / 5 + 2;
 
 // On |x| <= 1, T = middle + half x:  int_0^T f_k = sum_j coefficient[k][j] x^j.
-template <class Number, std::size_t Count> struct Panel {
-    static constexpr std::size_t size = panel_nodes<Number> + 1;
+template <class Number, std::size_t Count, std::size_t Nodes = panel_nodes<Number>> struct Panel {
+    static constexpr std::size_t size = Nodes + 1;
     Number middle{}, half{};
     std::array<std::array<Number, size>, Count> coefficient{};
 };
@@ -40,16 +40,16 @@ Coefficients recentred(Coefficients c, const Number& centre, std::size_t used) {
     return c;
 }
 
-template <class Number, std::size_t Count> struct Panels {
+template <class Number, std::size_t Count, std::size_t Nodes = panel_nodes<Number>> struct Panels {
     Status status = Status::ok;
-    Number end = Number(0);                   // of the last panel: what was asked for if the status is ok
-    std::vector<Panel<Number, Count>> panels; // ascending, without gaps
+    Number end = Number(0); // of the last panel: what was asked for if the status is ok
+    std::vector<Panel<Number, Count, Nodes>> panels; // ascending, without gaps
 };
 
 // Chebyshev interpolation at n nodes, and what follows from it for primitives.
-template <class Number> class Chebyshev {
+template <class Number, std::size_t Nodes = panel_nodes<Number>> class Chebyshev {
 public:
-    static constexpr std::size_t n = panel_nodes<Number>;
+    static constexpr std::size_t n = Nodes;
     using Values = std::array<Number, n>;
 
     Chebyshev() {
@@ -176,9 +176,13 @@ private:
 template <class Number> struct FitTolerance {
     Number relative = Number(16) * math::epsilon<Number>();
     Number absolute = Number(0);
+    Number resolution = math::epsilon<Number>(); // no panel is narrower than 1024 of it
 };
 
-template <class Number, std::size_t Count, class Integrand> class PanelFitter {
+template <class Number, std::size_t Count, std::size_t Nodes, class Integrand> class PanelFitter {
+    using Fit = Chebyshev<Number, Nodes>;
+    using Coefficients = std::array<typename Fit::Values, Count>;
+
 public:
     static constexpr std::size_t most_panels = 2048;
     static constexpr std::size_t most_halvings = 100;
@@ -186,7 +190,7 @@ public:
     PanelFitter(const Integrand& integrand, const Number& end, const FitTolerance<Number>& tolerance)
         : integrand_(integrand), end_(end), tolerance_(tolerance) {}
 
-    Panels<Number, Count> fit() {
+    Panels<Number, Count, Nodes> fit() {
         Number left = Number(0), right = left;
         do {
             right = end_of_piece(integrand_, left, end_);
@@ -200,7 +204,7 @@ private:
     // Values of the integrands at the nodes of [left, right].
     Status sample(const Number& left, const Number& right) {
         const Number middle = (left + right) / Number(2), half = (right - left) / Number(2);
-        for (std::size_t j = 0; j < Chebyshev<Number>::n; ++j) {
+        for (std::size_t j = 0; j < Fit::n; ++j) {
             const std::array<Number, Count> value = integrand_(Number(middle + half * chebyshev_.node(j)));
             for (std::size_t k = 0; k < Count; ++k) {
                 if (math::is_not_a_number(value[k])) return Status::outside_domain;
@@ -213,8 +217,7 @@ private:
 
     // The last coefficient of each integrand, or 1/8 of the one before where parity makes it vanish, in
     // units of the tolerance; at most 1 is converged.
-    [[nodiscard]] Number remainder(const std::array<typename Chebyshev<Number>::Values, Count>& c,
-                                   const Number& right) const {
+    [[nodiscard]] Number remainder(const Coefficients& c, const Number& right) const {
         Number worst = Number(0);
         for (std::size_t k = 0; k < Count; ++k) {
             Number scale = sizes_[k] / right;
@@ -238,7 +241,7 @@ private:
         const Status sampled = sample(left, right);
         Number rest = Number(-1); // nothing to compare the halves with
         if (sampled == Status::ok) {
-            std::array<typename Chebyshev<Number>::Values, Count> c;
+            Coefficients c;
             for (std::size_t k = 0; k < Count; ++k) c[k] = chebyshev_.coefficients(values_[k]);
             rest = remainder(c, right);
             if (converged(rest, parent)) {
@@ -247,16 +250,15 @@ private:
             }
         }
         const Number middle = (left + right) / Number(2);
-        const bool narrow = right - left < Number(1024) * math::epsilon<Number>() * right;
+        const bool narrow = right - left < Number(1024) * tolerance_.resolution * right;
         if (narrow || depth == most_halvings || result_.panels.size() >= most_panels)
             return sampled == Status::ok ? Status::outside_domain : sampled;
         if (Status status = divide(left, middle, rest, depth + 1); status != Status::ok) return status;
         return divide(middle, right, rest, depth + 1);
     }
 
-    void append(const Number& left, const Number& right,
-                const std::array<typename Chebyshev<Number>::Values, Count>& c) {
-        Panel<Number, Count> panel;
+    void append(const Number& left, const Number& right, const Coefficients& c) {
+        Panel<Number, Count, Nodes> panel;
         panel.middle = (left + right) / Number(2);
         panel.half = (right - left) / Number(2);
         for (std::size_t k = 0; k < Count; ++k) {
@@ -269,7 +271,7 @@ private:
             }
             coefficient[0] = coefficient[0] + sums_[k].value();
             sums_[k].add(whole);
-            const Number share = (right - left) / Number(static_cast<int>(Chebyshev<Number>::n));
+            const Number share = (right - left) / Number(static_cast<int>(Nodes));
             for (const Number& x : values_[k]) sizes_[k] = sizes_[k] + share * math::magnitude(x);
         }
         result_.panels.push_back(panel);
@@ -279,11 +281,11 @@ private:
     const Integrand& integrand_;
     Number end_;
     FitTolerance<Number> tolerance_;
-    const Chebyshev<Number>& chebyshev_ = Chebyshev<Number>::once();
-    std::array<typename Chebyshev<Number>::Values, Count> values_{};
+    const Fit& chebyshev_ = Fit::once();
+    Coefficients values_{};
     std::array<Number, Count> sizes_{}; // int |f_k| so far
     std::array<CompensatedSum<Number>, Count> sums_{};
-    Panels<Number, Count> result_;
+    Panels<Number, Count, Nodes> result_;
 };
 
 // Integrals over [0, end], end > 0, of the functions integrand(T) -> std::array<Number, Count>, to full
@@ -291,10 +293,10 @@ private:
 // Status: overflow, outside_domain: an integrand is infinite, or not a number; outside_domain too when
 // 2048 panels, or the spacing of numbers, do not resolve it (a singularity within or next to the interval).
 // The panels then end before that place.
-template <class Number, std::size_t Count, class Integrand>
-Panels<Number, Count> fit_panels(const Integrand& integrand, const Number& end,
-                                 const FitTolerance<Number>& tolerance = {}) {
-    return PanelFitter<Number, Count, Integrand>(integrand, end, tolerance).fit();
+template <class Number, std::size_t Count, std::size_t Nodes = panel_nodes<Number>, class Integrand>
+Panels<Number, Count, Nodes> fit_panels(const Integrand& integrand, const Number& end,
+                                        const FitTolerance<Number>& tolerance = {}) {
+    return PanelFitter<Number, Count, Nodes, Integrand>(integrand, end, tolerance).fit();
 }
 
 // Finds the panel of T in constant time: a grid of buckets, then a step or two to the right.

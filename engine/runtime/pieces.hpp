@@ -22,6 +22,14 @@ template <class Function, class Edges> InPieces<Function, Edges> in_pieces(Funct
     return {std::move(function), std::move(edges)};
 }
 
+// `function` in the pieces of `like`.
+template <class Like, class Function> auto in_same_pieces(const Like& like, Function function) {
+    if constexpr (requires { like.edges; })
+        return in_pieces(std::move(function), like.edges);
+    else
+        return function;
+}
+
 // The first time in (left, end) at which a piece of f ends, else `end`. What is nearer to either than
 // rounding is no time of its own.
 template <class Function, class Number>

@@ -11,23 +11,37 @@ namespace resonform {
 
 template <class Real, std::size_t Count> class PrimitiveTable {
 public:
-    // Tabulates integrand(T) -> std::array<Real, Count>. Status as fit_panels; if that is not ok, `end` is
-    // drawn back to where the integrands are defined, 0 if nowhere.
-    template <class Integrand> Status build(const Integrand& integrand, Real& end) {
-        Panels<Real, Count> fitted = fit_panels<Real, Count>(integrand, end);
+    // Tabulates integrand(T) -> std::array<Number, Count>, of a T that it is handed as an Argument: Real, or
+    // finer. Status as fit_panels; if that is not ok, `end` is drawn back to where the integrands are defined,
+    // 0 if nowhere.
+    template <class Argument = Real, class Integrand> Status build(const Integrand& integrand, Real& end) {
+        FitTolerance<Fine> tolerance;
+        tolerance.resolution = Fine(math::epsilon<Real>());
+        tolerance.relative = Fine(16) * tolerance.resolution;
+        const auto values = [&](const Fine& T) {
+            auto fine = math::widened<Fine>(integrand(static_cast<Argument>(T)));
+            for (Fine& x : fine)
+                if (!math::finite(static_cast<Real>(x))) x = Fine(static_cast<Real>(x)); // too large for Real
+            return fine;
+        };
+        const auto fitted = fit_panels<Fine, Count, terms - 1>(in_same_pieces(integrand, values), Fine(end),
+                                                               tolerance);
         std::vector<Real> lefts;
         panels_.clear();
-        for (const Panel<Real, Count>& panel : fitted.panels) {
+        for (const Panel<Fine, Count, terms - 1>& panel : fitted.panels) {
             const bool first = panels_.empty();
-            lefts.push_back(panel.middle - panel.half);
-            panels_.push_back({first ? Real(0) : panel.middle, Real(1) / panel.half, {}});
+            lefts.push_back(static_cast<Real>(panel.middle - panel.half));
+            panels_.push_back({first ? Real(0) : static_cast<Real>(panel.middle),
+                               static_cast<Real>(Fine(1) / panel.half),
+                               {}});
             for (std::size_t k = 0; k < Count; ++k) {
                 auto c = panel.coefficient[k];
                 if (first) c = from_zero(c);
-                for (std::size_t j = 0; j < terms; ++j) panels_.back().coefficient[j][k] = c[j];
+                for (std::size_t j = 0; j < terms; ++j)
+                    panels_.back().coefficient[j][k] = static_cast<Real>(c[j]);
             }
         }
-        end = fitted.end;
+        end = static_cast<Real>(fitted.end);
         if (!lefts.empty()) index_ = PanelIndex<Real>(std::move(lefts), end);
         return fitted.status;
     }
@@ -45,6 +59,7 @@ public:
     [[nodiscard]] std::size_t panels() const { return panels_.size(); }
 
 private:
+    using Fine = math::Fine<Real>;
     static constexpr std::size_t terms = Panel<Real, Count>::size;
     struct Row {
         Real middle{}, per_half{};
@@ -52,9 +67,9 @@ private:
     };
     // In the first panel about T = 0, without a constant term: there the integral is small, and so must
     // its error be.
-    static std::array<Real, terms> from_zero(const std::array<Real, terms>& c) {
-        std::array<Real, terms> result = recentred(c, Real(-1), terms);
-        result[0] = Real(0);
+    static std::array<Fine, terms> from_zero(const std::array<Fine, terms>& c) {
+        std::array<Fine, terms> result = recentred(c, Fine(-1), terms);
+        result[0] = Fine(0);
         return result;
     }
 

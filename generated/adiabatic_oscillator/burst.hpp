@@ -197,7 +197,7 @@ private:
         c.c_11 = c.tau_0 + Number(80);
         const Number k_13 = k_5 * k_5;
         c.c_12 = Number(1) - Number(1) / Number(16) * k_13 * (k_3 * k_3);
-        const Number k_14 = c.c_1 * c.c_1;
+        const Number k_14 = Number(1) / k_5;
         const Number k_15 = sin(c.phase_psi);
         const Number k_16 = Number(1) / Number(4) + Number(1) / Number(8) * k_3;
         const Number k_17 = cos(c.phase_psi);
@@ -374,6 +374,7 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
@@ -413,7 +414,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

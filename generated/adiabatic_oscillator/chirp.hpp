@@ -237,7 +237,7 @@ private:
         c.c_16 = Number(1) / Number(2) * c.eps;
         c.c_17 = c.tau_0 + Number(80);
         const Number k_26 = k_21 * k_21;
-        const Number k_27 = c.c_1 * c.c_1;
+        const Number k_27 = Number(1) / k_21;
         const Number k_28 = k_3 * k_3;
         const Number k_29 = k_7 * k_7;
         const Number k_30 = -Number(12) - k_9;
@@ -436,15 +436,10 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 2> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
-    }
-
-    template <class Number> static std::array<Number, 2> widened(const std::array<Real, 2>& values) {
-        std::array<Number, 2> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -486,7 +481,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

@@ -234,7 +234,7 @@ private:
         c.c_8 = Number(0);
         c.c_9 = c.tau_0 + Number(80);
         const Number k_22 = k_17 * k_17;
-        const Number k_23 = c.c_1 * c.c_1;
+        const Number k_23 = Number(1) / k_17;
         const Number k_24 = k_5 * k_5;
         const Number k_25 = c.c_3 * k_9;
         const Number k_26 = c.u_psi * (k_7 - k_25) - Number(1) / Number(16) * c.eps * k_10 * c.v_psi;

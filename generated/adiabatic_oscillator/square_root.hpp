@@ -200,36 +200,37 @@ private:
         c.phase_psi = atan2(k_17, k_24);
         c.c_3 = Number(1) / c.eps;
         c.c_4 = -Number(1) / Number(8) * c.eps;
-        const Number k_25 = sqrt(k_3) * (k_2 * k_2 * k_2);
-        const Number k_26 = hypot(k_24, k_17);
-        const Number k_27 = Number(3) + k_1 * (k_1 + Number(3)) + Number(1) / Number(32) * k_11;
-        const Number k_28 = Number(1) + k_1 * k_27;
-        const Number k_29 = Number(1) / k_28;
-        c.c_5 = k_25 * k_26 * c.c_3 * k_29;
-        c.c_6 = k_25 * (Number(1) / Number(4)) * k_26 * c.c_3 * k_29;
-        c.c_7 = k_25 * (Number(7) / Number(32)) * k_26 * c.c_3 * k_29;
-        c.c_8 = k_25 * (Number(1) / Number(8)) * k_26 * c.c_3 * k_29;
+        const Number k_25 = k_2 * k_2 * k_2;
+        const Number k_26 = sqrt(k_3) * k_25;
+        const Number k_27 = hypot(k_24, k_17);
+        const Number k_28 = Number(3) + k_1 * (k_1 + Number(3)) + Number(1) / Number(32) * k_11;
+        const Number k_29 = Number(1) + k_1 * k_28;
+        const Number k_30 = Number(1) / k_29;
+        c.c_5 = k_26 * k_27 * c.c_3 * k_30;
+        c.c_6 = k_26 * (Number(1) / Number(4)) * k_27 * c.c_3 * k_30;
+        c.c_7 = k_26 * (Number(7) / Number(32)) * k_27 * c.c_3 * k_30;
+        c.c_8 = k_26 * (Number(1) / Number(8)) * k_27 * c.c_3 * k_30;
         c.c_9 = k_11 * c.eps;
-        c.c_10 = k_25 * k_26 * k_29;
-        c.c_11 = k_25 * (Number(1) / Number(4)) * c.eps * k_26 * k_29;
+        c.c_10 = k_26 * k_27 * k_30;
+        c.c_11 = k_26 * (Number(1) / Number(4)) * c.eps * k_27 * k_30;
         c.c_12 = c.tau_0 + Number(80);
-        const Number k_30 = k_28 * (k_5 * k_4) - Number(1);
-        c.c_13 = Number(1) - Number(4) * (k_30 * k_30);
-        const Number k_31 = k_11 * k_11;
-        const Number k_32 = c.c_3 * c.c_3;
-        const Number k_33 = k_6 * k_6 * k_4;
-        const Number k_34 = sin(c.phase_psi);
-        const Number k_35 = Number(3) / Number(4) + k_1 * (Number(3) / Number(4) + Number(1) / Number(4) * k_1) - Number(31) / Number(64) * k_11;
-        const Number k_36 = Number(1) / Number(4) + k_15 + k_1 * k_35;
-        const Number k_37 = k_2 * k_3;
-        const Number k_38 = cos(c.phase_psi);
-        const Number k_39 = k_26 * c.c_3 * k_34 * k_36 - k_37 * (Number(1) / Number(4)) * c.tau_0 * k_26 * k_38;
-        const Number k_40 = c.tau_0 * k_39 + k_37 * (Number(1) / Number(8)) * k_26 * k_38;
-        const Number k_41 = k_26 * c.c_3 * k_38 * k_36 + k_37 * (Number(1) / Number(4)) * c.tau_0 * k_26 * k_34;
-        const Number k_42 = c.tau_0 * k_41 - k_37 * (Number(1) / Number(8)) * k_26 * k_34;
-        const Number k_43 = k_26 * c.c_3 * k_38 + k_8 * c.eps * k_40 - psi_0 * c.c_3;
-        const Number k_44 = k_26 * c.c_3 * k_34 + k_3 * k_4 * psi_dot_0 * c.c_3 + k_8 * c.eps * k_42;
-        c.c_14 = k_31 * k_31 + k_32 * (psi_0 * psi_0) + k_4 * k_32 * (psi_dot_0 * psi_dot_0) + k_11 * k_33 * (k_40 * k_40) + k_11 * k_33 * (k_42 * k_42) - Number(4) * (k_43 * k_43 + k_44 * k_44);
+        const Number k_31 = k_29 * (Number(1) / k_25) - Number(1);
+        c.c_13 = Number(1) - Number(4) * (k_31 * k_31);
+        const Number k_32 = k_11 * k_11;
+        const Number k_33 = Number(1) / k_11;
+        const Number k_34 = k_6 * k_6 * k_4;
+        const Number k_35 = sin(c.phase_psi);
+        const Number k_36 = Number(3) / Number(4) + k_1 * (Number(3) / Number(4) + Number(1) / Number(4) * k_1) - Number(31) / Number(64) * k_11;
+        const Number k_37 = Number(1) / Number(4) + k_15 + k_1 * k_36;
+        const Number k_38 = k_2 * k_3;
+        const Number k_39 = cos(c.phase_psi);
+        const Number k_40 = k_27 * c.c_3 * k_35 * k_37 - k_38 * (Number(1) / Number(4)) * c.tau_0 * k_27 * k_39;
+        const Number k_41 = c.tau_0 * k_40 + k_38 * (Number(1) / Number(8)) * k_27 * k_39;
+        const Number k_42 = k_27 * c.c_3 * k_39 * k_37 + k_38 * (Number(1) / Number(4)) * c.tau_0 * k_27 * k_35;
+        const Number k_43 = c.tau_0 * k_42 - k_38 * (Number(1) / Number(8)) * k_27 * k_35;
+        const Number k_44 = k_27 * c.c_3 * k_39 + k_8 * c.eps * k_41 - psi_0 * c.c_3;
+        const Number k_45 = k_27 * c.c_3 * k_35 + k_3 * k_4 * psi_dot_0 * c.c_3 + k_8 * c.eps * k_43;
+        c.c_14 = k_32 * k_32 + k_33 * (psi_0 * psi_0) + k_4 * k_33 * (psi_dot_0 * psi_dot_0) + k_11 * k_34 * (k_41 * k_41) + k_11 * k_34 * (k_43 * k_43) - Number(4) * (k_44 * k_44 + k_45 * k_45);
         c.c_15 = Number(2) * c.eps;
     }
 
@@ -370,6 +371,7 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
@@ -409,7 +411,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

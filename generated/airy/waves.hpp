@@ -165,54 +165,55 @@ private:
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, Constants<Number>& c) {
         c.tau_0 = Number(start.tau_0);
         const Number k_1 = sqrt(c.tau_0);
-        const Number k_2 = Number(1) / c.tau_0;
+        const Number k_2 = c.tau_0 * c.tau_0;
         const Number k_3 = k_2 * k_2;
-        const Number k_4 = k_3 * k_3;
-        const Number k_5 = k_4 * k_2;
+        const Number k_4 = k_3 * c.tau_0;
+        const Number k_5 = Number(1) / k_4;
         const Number k_6 = k_1 * k_5;
         c.eps = Number(given_eps);
         const Number x_0 = Number(start.x_0);
         const Number x_dot_0 = Number(start.x_dot_0);
         const Number k_7 = Number(35) / Number(256) * c.eps * x_0 + Number(5) / Number(64) * c.tau_0 * x_dot_0;
-        const Number k_8 = c.tau_0 * c.tau_0;
-        const Number k_9 = k_8 * c.tau_0;
-        const Number k_10 = k_8 * k_8;
-        const Number k_11 = c.eps * (c.eps * k_7 - Number(1) / Number(8) * x_0 * k_9) - x_dot_0 * k_10;
-        const Number k_12 = k_6 * k_11;
-        const Number k_13 = Number(7) / Number(64) * x_0 * k_8 - Number(35) / Number(256) * c.eps * x_dot_0;
-        const Number k_14 = c.eps * (c.eps * k_13 + Number(1) / Number(8) * x_dot_0 * k_9) + x_0 * (k_10 * c.tau_0);
-        const Number k_15 = k_5 * k_14;
-        c.phase_x = atan2(k_12, k_15);
+        const Number k_8 = k_2 * c.tau_0;
+        const Number k_9 = c.eps * (c.eps * k_7 - Number(1) / Number(8) * x_0 * k_8) - x_dot_0 * k_3;
+        const Number k_10 = k_6 * k_9;
+        const Number k_11 = Number(7) / Number(64) * x_0 * k_2 - Number(35) / Number(256) * c.eps * x_dot_0;
+        const Number k_12 = c.eps * (c.eps * k_11 + Number(1) / Number(8) * x_dot_0 * k_8) + x_0 * k_4;
+        const Number k_13 = k_5 * k_12;
+        c.phase_x = atan2(k_10, k_13);
         c.c_1 = Number(1) / c.eps;
-        const Number k_16 = c.eps * c.eps;
-        c.c_2 = Number(1) / Number(32) * k_16;
+        const Number k_14 = c.eps * c.eps;
+        c.c_2 = Number(1) / Number(32) * k_14;
         c.c_3 = -Number(1) / Number(32) * c.eps;
-        const Number k_17 = sqrt(k_1) * k_9;
-        const Number k_18 = hypot(k_15, k_12);
-        const Number k_19 = k_9 + Number(1) / Number(128) * k_16;
-        const Number k_20 = Number(1) / k_19;
-        c.c_4 = k_17 * k_18 * c.c_1 * k_20;
-        c.c_5 = k_17 * (Number(1) / Number(8)) * k_18 * c.c_1 * k_20;
-        c.c_6 = k_17 * (Number(11) / Number(128)) * k_18 * k_20;
-        c.c_7 = k_17 * (Number(11) / Number(128)) * k_18 * k_16 * k_20;
-        c.c_8 = k_17 * k_18 * k_20;
-        c.c_9 = k_17 * (Number(1) / Number(8)) * c.eps * k_18 * k_20;
-        const Number k_21 = k_19 * (k_3 * k_2) - Number(1);
-        c.c_10 = Number(1) - Number(4) * (k_21 * k_21);
-        const Number k_22 = k_16 * k_16;
-        const Number k_23 = c.c_1 * c.c_1;
-        const Number k_24 = k_4 * k_4 * k_2;
-        const Number k_25 = sin(c.phase_x);
-        const Number k_26 = c.tau_0 * k_1;
-        const Number k_27 = cos(c.phase_x);
-        const Number k_28 = -Number(71) / Number(512) * k_18 * k_25 - k_26 * (Number(3) / Number(32)) * k_18 * c.c_1 * k_27;
-        const Number k_29 = c.eps * k_28 + Number(1) / Number(8) * k_9 * k_18 * c.c_1 * k_25;
-        const Number k_30 = k_26 * (Number(3) / Number(32)) * k_18 * c.c_1 * k_25 - Number(71) / Number(512) * k_18 * k_27;
-        const Number k_31 = c.eps * k_30 + Number(1) / Number(8) * k_9 * k_18 * c.c_1 * k_27;
-        const Number k_32 = k_18 * c.c_1 * k_27 + k_6 * c.eps * k_29 - x_0 * c.c_1;
-        const Number k_33 = k_18 * c.c_1 * k_25 + k_1 * k_2 * x_dot_0 * c.c_1 + k_6 * c.eps * k_31;
-        c.c_11 = k_22 * k_22 + k_23 * (x_0 * x_0) + k_2 * k_23 * (x_dot_0 * x_dot_0) + k_16 * k_24 * (k_29 * k_29) + k_16 * k_24 * (k_31 * k_31) - Number(4) * (k_32 * k_32 + k_33 * k_33);
-        c.c_12 = Number(1) / Number(64) * k_16;
+        const Number k_15 = sqrt(k_1) * k_8;
+        const Number k_16 = hypot(k_13, k_10);
+        const Number k_17 = k_8 + Number(1) / Number(128) * k_14;
+        const Number k_18 = Number(1) / k_17;
+        c.c_4 = k_15 * k_16 * c.c_1 * k_18;
+        c.c_5 = k_15 * (Number(1) / Number(8)) * k_16 * c.c_1 * k_18;
+        c.c_6 = k_15 * (Number(11) / Number(128)) * k_16 * k_18;
+        c.c_7 = k_15 * (Number(11) / Number(128)) * k_16 * k_14 * k_18;
+        c.c_8 = k_15 * k_16 * k_18;
+        c.c_9 = k_15 * (Number(1) / Number(8)) * c.eps * k_16 * k_18;
+        const Number k_19 = k_17 * (Number(1) / k_8) - Number(1);
+        c.c_10 = Number(1) - Number(4) * (k_19 * k_19);
+        const Number k_20 = k_14 * k_14;
+        const Number k_21 = Number(1) / k_14;
+        const Number k_22 = Number(1) / c.tau_0;
+        const Number k_23 = k_22 * k_22;
+        const Number k_24 = k_23 * k_23;
+        const Number k_25 = k_24 * k_24 * k_22;
+        const Number k_26 = sin(c.phase_x);
+        const Number k_27 = c.tau_0 * k_1;
+        const Number k_28 = cos(c.phase_x);
+        const Number k_29 = -Number(71) / Number(512) * k_16 * k_26 - k_27 * (Number(3) / Number(32)) * k_16 * c.c_1 * k_28;
+        const Number k_30 = c.eps * k_29 + Number(1) / Number(8) * k_8 * k_16 * c.c_1 * k_26;
+        const Number k_31 = k_27 * (Number(3) / Number(32)) * k_16 * c.c_1 * k_26 - Number(71) / Number(512) * k_16 * k_28;
+        const Number k_32 = c.eps * k_31 + Number(1) / Number(8) * k_8 * k_16 * c.c_1 * k_28;
+        const Number k_33 = k_16 * c.c_1 * k_28 + k_6 * c.eps * k_30 - x_0 * c.c_1;
+        const Number k_34 = k_16 * c.c_1 * k_26 + k_1 * k_22 * x_dot_0 * c.c_1 + k_6 * c.eps * k_32;
+        c.c_11 = k_20 * k_20 + k_21 * (x_0 * x_0) + k_22 * k_21 * (x_dot_0 * x_dot_0) + k_14 * k_25 * (k_30 * k_30) + k_14 * k_25 * (k_32 * k_32) - Number(4) * (k_33 * k_33 + k_34 * k_34);
+        c.c_12 = Number(1) / Number(64) * k_14;
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -267,20 +268,19 @@ private:
     template <class Number> static void compute_phase_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, const Start& start, PhaseConstants<Number>& c) {
         c.tau_0 = Number(start.tau_0);
-        const Number k_1 = Number(1) / c.tau_0;
+        const Number k_1 = c.tau_0 * c.tau_0;
         const Number k_2 = k_1 * k_1;
-        const Number k_3 = k_2 * k_2 * k_1;
+        const Number k_3 = k_2 * c.tau_0;
+        const Number k_4 = Number(1) / k_3;
         const Number eps = Number(given_eps);
         const Number x_0 = Number(start.x_0);
         const Number x_dot_0 = Number(start.x_dot_0);
-        const Number k_4 = Number(35) / Number(256) * eps * x_0 + Number(5) / Number(64) * c.tau_0 * x_dot_0;
-        const Number k_5 = c.tau_0 * c.tau_0;
-        const Number k_6 = k_5 * c.tau_0;
-        const Number k_7 = k_5 * k_5;
-        const Number k_8 = eps * (eps * k_4 - Number(1) / Number(8) * x_0 * k_6) - x_dot_0 * k_7;
-        const Number k_9 = Number(7) / Number(64) * x_0 * k_5 - Number(35) / Number(256) * eps * x_dot_0;
-        const Number k_10 = eps * (eps * k_9 + Number(1) / Number(8) * x_dot_0 * k_6) + x_0 * (k_7 * c.tau_0);
-        c.phase_x = atan2(Number(sqrt(c.tau_0) * k_3 * k_8), Number(k_3 * k_10));
+        const Number k_5 = Number(35) / Number(256) * eps * x_0 + Number(5) / Number(64) * c.tau_0 * x_dot_0;
+        const Number k_6 = k_1 * c.tau_0;
+        const Number k_7 = eps * (eps * k_5 - Number(1) / Number(8) * x_0 * k_6) - x_dot_0 * k_2;
+        const Number k_8 = Number(7) / Number(64) * x_0 * k_1 - Number(35) / Number(256) * eps * x_dot_0;
+        const Number k_9 = eps * (eps * k_8 + Number(1) / Number(8) * x_dot_0 * k_6) + x_0 * k_3;
+        c.phase_x = atan2(Number(sqrt(c.tau_0) * k_4 * k_7), Number(k_4 * k_9));
         c.c_1 = Number(1) / eps;
     }
 
@@ -378,6 +378,7 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
@@ -417,7 +418,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

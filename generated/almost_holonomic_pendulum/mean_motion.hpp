@@ -268,15 +268,10 @@ private:
 
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 1> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
-    }
-
-    template <class Number> static std::array<Number, 1> widened(const std::array<Real, 1>& values) {
-        std::array<Number, 1> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -317,7 +312,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             compute_constants(of.eps_, Parameters{}, of.start_, c);
@@ -425,8 +419,10 @@ private:
                                            std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
+        Constants<Fine> fine;
+        compute_constants(eps, parameters, start, fine);
         if (const Cause failed = interval_.shorten(
-                {tables_0_.build([this](const Real& T) { return integrands_0(constants_, T); }, reach), "Q_x"}, reach);
+                {tables_0_.template build<Fine>([&](const Fine& T) { return integrands_0(fine, T); }, reach), "Q_x"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

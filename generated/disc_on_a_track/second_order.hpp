@@ -456,6 +456,7 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 2> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
@@ -468,12 +469,6 @@ private:
         std::copy(before.begin(), before.end(), all.begin());
         std::copy(own.begin(), own.end(), all.begin() + before.size());
         return all;
-    }
-
-    template <class Number> static std::array<Number, 3> widened(const std::array<Real, 3>& values) {
-        std::array<Number, 3> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -530,7 +525,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);
@@ -649,6 +643,9 @@ private:
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
+        Constants<Fine> fine;
+        if (const Cause lost = keep_constants(eps, parameters, start, fine); lost.status != Status::ok)
+            return lost;
         if (const Cause failed = interval_.shorten(
                 {tables_0_.build_while([this](const Real& T, const std::array<Real, 2>& flow) { return flow_rates(constants_, T, flow); },
                               [this](const Real& T, const std::array<Real, 2>& flow) { return resonform::all_clear(layers(constants_, T, flow)); },
@@ -661,7 +658,7 @@ private:
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(
-                {tables_1_.build([this](const Real& T) { return integrands_1(constants_, T, look_up_1(T)); }, reach), "Q_y"}, reach);
+                {tables_1_.template build<Fine>([&](const Fine& T) { return integrands_1(fine, T, widened<Fine>(look_up_1(static_cast<Real>(T)))); }, reach), "Q_y"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -193,7 +193,7 @@ private:
         c.eps = Number(given_eps);
         c.c_1 = Number(1) / c.eps;
         const Number k_1 = c.eps * c.eps;
-        const Number k_2 = c.c_1 * c.c_1;
+        const Number k_2 = Number(1) / k_1;
         const Number k_3 = x_0 * x_0;
         const Number x_dot_0 = Number(start.x_dot_0);
         const Number k_4 = x_dot_0 * x_dot_0;
@@ -201,44 +201,44 @@ private:
         const Number phi_0 = Number(start.phi_0);
         const Number u_phi = cos(phi_0);
         const Number k_6 = x_0 * c.c_1 * k_5 + Number(3) / Number(160) * x_dot_0 * c.c_1 + Number(3) / Number(256) * u_phi;
-        const Number k_7 = k_2 * c.c_1;
-        const Number k_8 = k_4 * x_dot_0;
+        const Number k_7 = k_1 * c.eps;
+        const Number k_8 = Number(1) / k_7;
+        const Number k_9 = k_4 * x_dot_0;
         const Number v_phi = sin(phi_0);
-        const Number k_9 = Number(233) / Number(1024) * k_7 * k_8 + Number(33) / Number(128) * v_phi;
-        const Number k_10 = x_0 * c.c_1 * k_6 + Number(1) / Number(400) - x_dot_0 * c.c_1 * k_9;
-        const Number k_11 = Number(45) / Number(256) * u_phi - Number(3) / Number(80) * x_dot_0 * c.c_1;
-        const Number k_12 = x_0 * c.c_1 * k_10 + k_2 * k_4 * k_11 - Number(1) / Number(80) * v_phi;
+        const Number k_10 = Number(233) / Number(1024) * k_8 * k_9 + Number(33) / Number(128) * v_phi;
+        const Number k_11 = x_0 * c.c_1 * k_6 + Number(1) / Number(400) - x_dot_0 * c.c_1 * k_10;
+        const Number k_12 = Number(45) / Number(256) * u_phi - Number(3) / Number(80) * x_dot_0 * c.c_1;
+        const Number k_13 = x_0 * c.c_1 * k_11 + k_2 * k_4 * k_12 - Number(1) / Number(80) * v_phi;
         c.c_2 = Number(9) / Number(32);
-        const Number k_13 = x_0 * c.c_1 * (Number(5) / Number(32) * k_2 * k_3 + c.c_2 * k_2 * k_4);
-        const Number k_14 = Number(1) / Number(4) * u_phi;
-        const Number k_15 = k_1 * k_12 + k_13 + Number(1) / Number(20) * x_dot_0 * c.c_1 - k_14;
-        const Number k_16 = k_1 * k_15;
-        c.u_x = x_0 * c.c_1 + k_16;
-        const Number k_17 = k_1 * c.eps;
-        c.c_3 = Number(51) / Number(256) * k_17;
-        c.c_4 = Number(51) / Number(128) * k_17;
+        const Number k_14 = x_0 * c.c_1 * (Number(5) / Number(32) * k_2 * k_3 + c.c_2 * k_2 * k_4);
+        const Number k_15 = Number(1) / Number(4) * u_phi;
+        const Number k_16 = k_1 * k_13 + k_14 + Number(1) / Number(20) * x_dot_0 * c.c_1 - k_15;
+        const Number k_17 = k_1 * k_16;
+        c.u_x = x_0 * c.c_1 + k_17;
+        c.c_3 = Number(51) / Number(256) * k_7;
+        c.c_4 = Number(51) / Number(128) * k_7;
         c.c_5 = Number(3) / Number(8) * c.eps;
-        c.c_6 = Number(3) / Number(16) * u_phi * k_17;
-        c.c_7 = c.c_2 * v_phi * k_17;
-        c.c_8 = Number(1) / Number(200) * k_17;
-        c.c_9 = Number(3) / Number(32) * v_phi * k_17;
+        c.c_6 = Number(3) / Number(16) * u_phi * k_7;
+        c.c_7 = c.c_2 * v_phi * k_7;
+        c.c_8 = Number(1) / Number(200) * k_7;
+        c.c_9 = Number(3) / Number(32) * v_phi * k_7;
         c.c_10 = Number(1) / Number(10) * c.eps;
         const Number k_18 = Number(1) / Number(40) * u_phi * k_1 + Number(1) / Number(2) * v_phi;
         c.c_11 = c.eps * k_18;
         const Number k_19 = Number(431) / Number(1024) * k_2 * k_3 + Number(199) / Number(512) * k_2 * k_4;
         const Number k_20 = x_0 * c.c_1 * k_19 - Number(9) / Number(320) * x_dot_0 * c.c_1 - Number(3) / Number(128) * u_phi;
-        const Number k_21 = -Number(79) / Number(1024) * k_7 * k_8 - Number(33) / Number(256) * v_phi;
+        const Number k_21 = -Number(79) / Number(1024) * k_8 * k_9 - Number(33) / Number(256) * v_phi;
         const Number k_22 = Number(1) / Number(400) + x_0 * c.c_1 * k_20 - x_dot_0 * c.c_1 * k_21;
         const Number k_23 = Number(23) / Number(320) * x_0 * c.c_1 - Number(111) / Number(256) * v_phi;
         const Number k_24 = k_2 * k_3 * k_23 + Number(1) / Number(80) * u_phi - x_dot_0 * c.c_1 * k_22;
         const Number k_25 = Number(15) / Number(32) * x_0 * x_dot_0 * k_2 - Number(1) / Number(20);
         const Number k_26 = Number(1) / Number(4) * v_phi;
-        const Number k_27 = k_1 * k_24 + x_0 * c.c_1 * k_25 + Number(3) / Number(32) * k_7 * k_8 + k_26;
+        const Number k_27 = k_1 * k_24 + x_0 * c.c_1 * k_25 + Number(3) / Number(32) * k_8 * k_9 + k_26;
         const Number k_28 = k_1 * k_27;
         c.v_x = k_28 - x_dot_0 * c.c_1;
-        c.c_12 = c.c_2 * u_phi * k_17;
-        c.c_13 = Number(3) / Number(16) * v_phi * k_17;
-        c.c_14 = Number(3) / Number(32) * u_phi * k_17;
+        c.c_12 = c.c_2 * u_phi * k_7;
+        c.c_13 = Number(3) / Number(16) * v_phi * k_7;
+        c.c_14 = Number(3) / Number(32) * u_phi * k_7;
         const Number k_29 = Number(1) / Number(40) * v_phi * k_1 - Number(1) / Number(2) * u_phi;
         c.c_15 = c.eps * k_29;
         c.c_16 = Number(0);
@@ -254,14 +254,14 @@ private:
         const Number k_38 = k_35 * c.v_x;
         const Number k_39 = Number(65) / Number(256) * k_38 - Number(15) / Number(128) * v_phi;
         const Number k_40 = -Number(3) / Number(64) * c.v_x - Number(63) / Number(256) * u_phi;
-        const Number k_41 = k_1 * (c.u_x * (c.u_x * k_37 + c.v_x * k_39) + k_35 * k_40) + c.u_x * (-Number(5) / Number(32) * k_34 - c.c_2 * k_35) + Number(1) / Number(20) * c.v_x + k_14;
+        const Number k_41 = k_1 * (c.u_x * (c.u_x * k_37 + c.v_x * k_39) + k_35 * k_40) + c.u_x * (-Number(5) / Number(32) * k_34 - c.c_2 * k_35) + Number(1) / Number(20) * c.v_x + k_15;
         const Number k_42 = -Number(89) / Number(256) * c.u_x * c.v_x - Number(9) / Number(160);
         const Number k_43 = c.u_x * k_42 + Number(81) / Number(256) * v_phi - Number(61) / Number(128) * k_38;
         const Number k_44 = Number(3) / Number(160) * c.v_x + Number(33) / Number(128) * u_phi;
         const Number k_45 = Number(15) / Number(256) * v_phi - Number(13) / Number(256) * k_38;
         const Number k_46 = c.u_x * (Number(1) / Number(20) + Number(15) / Number(32) * c.u_x * c.v_x);
         const Number k_47 = k_1 * (c.u_x * (c.u_x * k_43 + c.v_x * k_44) + k_35 * k_45) + k_46 + Number(3) / Number(32) * k_38 - k_26;
-        const Number k_48 = k_16 + k_1 * k_41;
+        const Number k_48 = k_17 + k_1 * k_41;
         const Number k_49 = k_28 + k_1 * k_47;
         c.c_18 = k_30 + k_31 + k_33 * k_33 + k_32 * (k_41 * k_41) + k_32 * (k_47 * k_47) - Number(4) * (k_48 * k_48 + k_49 * k_49);
         c.c_19 = Number(4) + Number(4) * (k_30 + k_31) - Number(1) / Number(16) * k_32;
@@ -407,15 +407,10 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 2> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
-    }
-
-    template <class Number> static std::array<Number, 2> widened(const std::array<Real, 2>& values) {
-        std::array<Number, 2> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -457,7 +452,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

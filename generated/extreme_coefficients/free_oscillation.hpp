@@ -366,6 +366,7 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
@@ -408,7 +409,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

@@ -188,15 +188,15 @@ private:
         Number c_1;
         Number c_2;
         Number c_3;
-        Number u_x;
         Number c_4;
+        Number u_x;
         Number c_5;
         Number c_6;
-        Number v_x;
         Number c_7;
+        Number v_x;
+        Number c_8;
         Number u_y;
         Number v_y;
-        Number c_8;
         Number c_9;
         Number c_10;
         Number c_11;
@@ -231,7 +231,8 @@ private:
         c.eps = Number(given_eps);
         c.c_1 = Number(1) / c.eps;
         const Number y_0 = Number(start.y_0);
-        const Number k_1 = c.c_1 * c.c_1;
+        c.c_2 = c.eps * c.eps;
+        const Number k_1 = Number(1) / c.c_2;
         const Number k_2 = x_0 * x_0;
         const Number px_0 = Number(start.px_0);
         const Number k_3 = px_0 * px_0;
@@ -239,118 +240,118 @@ private:
         const Number py_0 = Number(start.py_0);
         const Number k_5 = py_0 * py_0;
         const Number k_6 = Number(227) / Number(270) * k_1 * k_2 + Number(103) / Number(40) * k_1 * k_3 + Number(23) / Number(120) * k_1 * k_5 - Number(208) / Number(135) * k_1 * k_4;
-        const Number k_7 = k_1 * c.c_1;
-        const Number k_8 = y_0 * c.c_1 * k_6 + Number(277) / Number(360) * x_0 * px_0 * py_0 * k_7;
-        const Number k_9 = Number(7) / Number(144) * k_1 * k_2;
-        const Number k_10 = Number(7) / Number(144) * k_1 * k_4;
-        const Number k_11 = c.eps * k_8 + k_9 + k_10 - Number(77) / Number(144) * k_1 * k_3 - Number(37) / Number(48) * k_1 * k_5;
-        const Number k_12 = Number(181) / Number(135) * k_1 * k_3 + Number(32) / Number(135) * k_1 * k_5 - Number(581) / Number(360) * k_1 * k_4;
-        const Number k_13 = px_0 * py_0 * k_1 * (c.eps * k_12 + Number(17) / Number(72) * y_0 * c.c_1);
-        c.c_2 = Number(2) / Number(3);
-        c.c_3 = Number(4) / Number(3);
-        const Number k_14 = c.eps * (x_0 * c.c_1 * k_11 + k_13) + c.c_2 * x_0 * y_0 * k_1 + c.c_3 * px_0 * py_0 * k_1;
-        const Number k_15 = c.eps * k_14;
-        c.u_x = x_0 * c.c_1 + k_15;
-        c.c_4 = Number(5) / Number(12) * c.eps;
-        c.c_5 = Number(3) / Number(4) * c.eps;
-        c.c_6 = Number(7) / Number(6) * c.eps;
-        const Number k_16 = Number(707) / Number(540) * k_1 * k_4 - Number(449) / Number(180) * k_1 * k_2 - Number(647) / Number(1080) * k_1 * k_3 - Number(329) / Number(360) * k_1 * k_5;
-        const Number k_17 = y_0 * c.c_1 * k_16 + Number(71) / Number(120) * x_0 * px_0 * py_0 * k_7;
-        const Number k_18 = Number(17) / Number(144) * k_1 * k_3;
-        const Number k_19 = Number(17) / Number(144) * k_1 * k_5;
-        const Number k_20 = c.eps * k_17 + Number(43) / Number(144) * k_1 * k_2 + Number(19) / Number(48) * k_1 * k_4 - k_18 - k_19;
-        const Number k_21 = Number(931) / Number(540) * k_1 * k_2 - Number(673) / Number(180) * k_1 * k_4 - Number(1189) / Number(1080) * k_1 * k_5;
-        const Number k_22 = Number(7) / Number(72) * y_0 * c.c_1;
-        const Number k_23 = -px_0 * c.c_1 * k_20 - x_0 * py_0 * k_1 * (c.eps * k_21 - k_22);
-        const Number k_24 = c.eps * k_23 + c.c_2 * x_0 * py_0 * k_1 + c.c_2 * y_0 * px_0 * k_1;
-        const Number k_25 = c.eps * k_24;
-        c.v_x = k_25 - px_0 * c.c_1;
-        const Number k_26 = Number(643) / Number(360) * k_1 * k_4 + Number(1079) / Number(720) * k_1 * k_5 - Number(1021) / Number(2160) * k_1 * k_2 - Number(83) / Number(720) * k_1 * k_3;
-        const Number k_27 = x_0 * c.c_1 * k_26 + Number(143) / Number(60) * y_0 * px_0 * py_0 * k_7;
-        const Number k_28 = Number(277) / Number(1080) * k_1 * k_3 + Number(149) / Number(180) * k_1 * k_5 - Number(221) / Number(720) * k_1 * k_4;
-        const Number k_29 = -Number(53) / Number(432) * k_1 * k_4 - Number(155) / Number(144) * k_1 * k_5;
-        const Number k_30 = x_0 * c.c_1 * k_27 + k_1 * k_3 * k_28 + k_1 * k_4 * k_29 - Number(115) / Number(216) * (k_1 * k_1) * (k_5 * k_5);
-        const Number k_31 = k_9 + k_10 - Number(37) / Number(48) * k_1 * k_3 - Number(77) / Number(144) * k_1 * k_5;
-        const Number k_32 = c.eps * k_30 + y_0 * c.c_1 * k_31 + Number(17) / Number(72) * x_0 * px_0 * py_0 * k_7;
-        c.c_7 = Number(1) / Number(3);
-        const Number k_33 = c.eps * k_32 + c.c_7 * k_1 * k_2 + c.c_2 * k_1 * k_3 - c.c_7 * k_1 * k_4 - c.c_2 * k_1 * k_5;
-        const Number k_34 = c.eps * k_33;
-        c.u_y = y_0 * c.c_1 + k_34;
-        const Number k_35 = Number(701) / Number(360) * k_1 * k_3 + Number(16) / Number(27) * k_1 * k_4 + Number(55) / Number(216) * k_1 * k_5 - Number(289) / Number(90) * k_1 * k_2;
-        const Number k_36 = y_0 * c.c_1 * k_35 - Number(53) / Number(120) * x_0 * px_0 * py_0 * k_7;
-        const Number k_37 = c.eps * k_36 + Number(19) / Number(48) * k_1 * k_2 + Number(43) / Number(144) * k_1 * k_4 - k_18 - k_19;
-        const Number k_38 = Number(401) / Number(90) * k_1 * k_4 - Number(136) / Number(135) * k_1 * k_2 - Number(817) / Number(1080) * k_1 * k_3;
-        const Number k_39 = -py_0 * c.c_1 * k_37 - x_0 * px_0 * k_1 * (c.eps * k_38 - k_22);
-        const Number k_40 = c.eps * k_39 + c.c_2 * x_0 * px_0 * k_1 - c.c_2 * y_0 * py_0 * k_1;
-        const Number k_41 = c.eps * k_40;
-        c.v_y = k_41 - py_0 * c.c_1;
-        c.c_8 = Number(0);
-        c.c_9 = Number(25) / Number(144);
-        c.c_10 = Number(13) / Number(144);
-        c.c_11 = Number(9) / Number(16);
-        c.c_12 = Number(47) / Number(72);
-        c.c_13 = c.eps * c.eps;
-        const Number k_42 = c.c_13 * c.eps;
-        c.c_14 = Number(11) / Number(144) * k_42;
-        c.c_15 = Number(13) / Number(48) * k_42;
+        const Number k_7 = c.c_2 * c.eps;
+        const Number k_8 = Number(1) / k_7;
+        const Number k_9 = y_0 * c.c_1 * k_6 + Number(277) / Number(360) * x_0 * px_0 * py_0 * k_8;
+        const Number k_10 = Number(7) / Number(144) * k_1 * k_2;
+        const Number k_11 = Number(7) / Number(144) * k_1 * k_4;
+        const Number k_12 = c.eps * k_9 + k_10 + k_11 - Number(77) / Number(144) * k_1 * k_3 - Number(37) / Number(48) * k_1 * k_5;
+        const Number k_13 = Number(181) / Number(135) * k_1 * k_3 + Number(32) / Number(135) * k_1 * k_5 - Number(581) / Number(360) * k_1 * k_4;
+        const Number k_14 = px_0 * py_0 * k_1 * (c.eps * k_13 + Number(17) / Number(72) * y_0 * c.c_1);
+        c.c_3 = Number(2) / Number(3);
+        c.c_4 = Number(4) / Number(3);
+        const Number k_15 = c.eps * (x_0 * c.c_1 * k_12 + k_14) + c.c_3 * x_0 * y_0 * k_1 + c.c_4 * px_0 * py_0 * k_1;
+        const Number k_16 = c.eps * k_15;
+        c.u_x = x_0 * c.c_1 + k_16;
+        c.c_5 = Number(5) / Number(12) * c.eps;
+        c.c_6 = Number(3) / Number(4) * c.eps;
+        c.c_7 = Number(7) / Number(6) * c.eps;
+        const Number k_17 = Number(707) / Number(540) * k_1 * k_4 - Number(449) / Number(180) * k_1 * k_2 - Number(647) / Number(1080) * k_1 * k_3 - Number(329) / Number(360) * k_1 * k_5;
+        const Number k_18 = y_0 * c.c_1 * k_17 + Number(71) / Number(120) * x_0 * px_0 * py_0 * k_8;
+        const Number k_19 = Number(17) / Number(144) * k_1 * k_3;
+        const Number k_20 = Number(17) / Number(144) * k_1 * k_5;
+        const Number k_21 = c.eps * k_18 + Number(43) / Number(144) * k_1 * k_2 + Number(19) / Number(48) * k_1 * k_4 - k_19 - k_20;
+        const Number k_22 = Number(931) / Number(540) * k_1 * k_2 - Number(673) / Number(180) * k_1 * k_4 - Number(1189) / Number(1080) * k_1 * k_5;
+        const Number k_23 = Number(7) / Number(72) * y_0 * c.c_1;
+        const Number k_24 = -px_0 * c.c_1 * k_21 - x_0 * py_0 * k_1 * (c.eps * k_22 - k_23);
+        const Number k_25 = c.eps * k_24 + c.c_3 * x_0 * py_0 * k_1 + c.c_3 * y_0 * px_0 * k_1;
+        const Number k_26 = c.eps * k_25;
+        c.v_x = k_26 - px_0 * c.c_1;
+        const Number k_27 = Number(643) / Number(360) * k_1 * k_4 + Number(1079) / Number(720) * k_1 * k_5 - Number(1021) / Number(2160) * k_1 * k_2 - Number(83) / Number(720) * k_1 * k_3;
+        const Number k_28 = x_0 * c.c_1 * k_27 + Number(143) / Number(60) * y_0 * px_0 * py_0 * k_8;
+        const Number k_29 = Number(277) / Number(1080) * k_1 * k_3 + Number(149) / Number(180) * k_1 * k_5 - Number(221) / Number(720) * k_1 * k_4;
+        const Number k_30 = -Number(53) / Number(432) * k_1 * k_4 - Number(155) / Number(144) * k_1 * k_5;
+        const Number k_31 = c.c_1 * c.c_1;
+        const Number k_32 = x_0 * c.c_1 * k_28 + k_1 * k_3 * k_29 + k_1 * k_4 * k_30 - Number(115) / Number(216) * (k_31 * k_31) * (k_5 * k_5);
+        const Number k_33 = k_10 + k_11 - Number(37) / Number(48) * k_1 * k_3 - Number(77) / Number(144) * k_1 * k_5;
+        const Number k_34 = c.eps * k_32 + y_0 * c.c_1 * k_33 + Number(17) / Number(72) * x_0 * px_0 * py_0 * k_8;
+        c.c_8 = Number(1) / Number(3);
+        const Number k_35 = c.eps * k_34 + c.c_8 * k_1 * k_2 + c.c_3 * k_1 * k_3 - c.c_8 * k_1 * k_4 - c.c_3 * k_1 * k_5;
+        const Number k_36 = c.eps * k_35;
+        c.u_y = y_0 * c.c_1 + k_36;
+        const Number k_37 = Number(701) / Number(360) * k_1 * k_3 + Number(16) / Number(27) * k_1 * k_4 + Number(55) / Number(216) * k_1 * k_5 - Number(289) / Number(90) * k_1 * k_2;
+        const Number k_38 = y_0 * c.c_1 * k_37 - Number(53) / Number(120) * x_0 * px_0 * py_0 * k_8;
+        const Number k_39 = c.eps * k_38 + Number(19) / Number(48) * k_1 * k_2 + Number(43) / Number(144) * k_1 * k_4 - k_19 - k_20;
+        const Number k_40 = Number(401) / Number(90) * k_1 * k_4 - Number(136) / Number(135) * k_1 * k_2 - Number(817) / Number(1080) * k_1 * k_3;
+        const Number k_41 = -py_0 * c.c_1 * k_39 - x_0 * px_0 * k_1 * (c.eps * k_40 - k_23);
+        const Number k_42 = c.eps * k_41 + c.c_3 * x_0 * px_0 * k_1 - c.c_3 * y_0 * py_0 * k_1;
+        const Number k_43 = c.eps * k_42;
+        c.v_y = k_43 - py_0 * c.c_1;
+        c.c_9 = Number(0);
+        c.c_10 = Number(25) / Number(144);
+        c.c_11 = Number(13) / Number(144);
+        c.c_12 = Number(9) / Number(16);
+        c.c_13 = Number(47) / Number(72);
+        c.c_14 = Number(11) / Number(144) * k_7;
+        c.c_15 = Number(13) / Number(48) * k_7;
         c.c_16 = Number(1) / Number(2) * c.eps;
-        c.c_17 = Number(25) / Number(72) * k_42;
-        c.c_18 = Number(1) / Number(6) * c.c_13;
-        c.c_19 = Number(1) / Number(96) * k_42;
-        c.c_20 = Number(1) / Number(32) * k_42;
-        c.c_21 = Number(1) / Number(48) * k_42;
-        c.c_22 = Number(1) / Number(2) * c.c_13;
-        c.c_23 = Number(1) / Number(12) * c.c_13;
-        const Number k_43 = c.c_13 * c.c_13;
-        const Number k_44 = k_43 * k_43;
-        const Number k_45 = c.u_x * c.u_x;
-        const Number k_46 = c.v_x * c.v_x;
-        const Number k_47 = c.u_y * c.u_y;
-        const Number k_48 = c.v_y * c.v_y;
-        const Number k_49 = Number(787) / Number(540) * k_47 - Number(589) / Number(540) * k_45 - Number(109) / Number(45) * k_46 - Number(13) / Number(45) * k_48;
-        const Number k_50 = c.u_y * k_49 - Number(61) / Number(180) * c.u_x * c.v_x * c.v_y;
-        const Number k_51 = c.c_9 * k_45;
-        const Number k_52 = c.c_9 * k_47;
-        const Number k_53 = c.eps * k_50 + k_51 + c.c_10 * k_46 + k_52 - c.c_11 * k_48;
-        const Number k_54 = Number(323) / Number(180) * k_47 + Number(11) / Number(270) * k_48 - Number(437) / Number(270) * k_46;
-        const Number k_55 = c.u_x * k_53 + c.v_x * c.v_y * (c.eps * k_54 + c.c_12 * c.u_y);
-        const Number k_56 = c.eps * k_55 - c.c_2 * c.u_x * c.u_y - c.c_3 * c.v_x * c.v_y;
-        const Number k_57 = Number(217) / Number(90) * k_45 + Number(64) / Number(135) * k_46 + Number(121) / Number(90) * k_48 - Number(188) / Number(135) * k_47;
-        const Number k_58 = c.eps * (c.u_y * k_57 - Number(7) / Number(90) * c.u_x * c.v_x * c.v_y);
+        c.c_17 = Number(25) / Number(72) * k_7;
+        c.c_18 = Number(1) / Number(6) * c.c_2;
+        c.c_19 = Number(1) / Number(96) * k_7;
+        c.c_20 = Number(1) / Number(32) * k_7;
+        c.c_21 = Number(1) / Number(48) * k_7;
+        c.c_22 = Number(1) / Number(2) * c.c_2;
+        c.c_23 = Number(1) / Number(12) * c.c_2;
+        const Number k_44 = c.c_2 * c.c_2;
+        const Number k_45 = k_44 * k_44;
+        const Number k_46 = c.u_x * c.u_x;
+        const Number k_47 = c.v_x * c.v_x;
+        const Number k_48 = c.u_y * c.u_y;
+        const Number k_49 = c.v_y * c.v_y;
+        const Number k_50 = Number(787) / Number(540) * k_48 - Number(589) / Number(540) * k_46 - Number(109) / Number(45) * k_47 - Number(13) / Number(45) * k_49;
+        const Number k_51 = c.u_y * k_50 - Number(61) / Number(180) * c.u_x * c.v_x * c.v_y;
+        const Number k_52 = c.c_10 * k_46;
+        const Number k_53 = c.c_10 * k_48;
+        const Number k_54 = c.eps * k_51 + k_52 + c.c_11 * k_47 + k_53 - c.c_12 * k_49;
+        const Number k_55 = Number(323) / Number(180) * k_48 + Number(11) / Number(270) * k_49 - Number(437) / Number(270) * k_47;
+        const Number k_56 = c.u_x * k_54 + c.v_x * c.v_y * (c.eps * k_55 + c.c_13 * c.u_y);
+        const Number k_57 = c.eps * k_56 - c.c_3 * c.u_x * c.u_y - c.c_4 * c.v_x * c.v_y;
+        const Number k_58 = Number(217) / Number(90) * k_46 + Number(64) / Number(135) * k_47 + Number(121) / Number(90) * k_49 - Number(188) / Number(135) * k_48;
+        const Number k_59 = c.eps * (c.u_y * k_58 - Number(7) / Number(90) * c.u_x * c.v_x * c.v_y);
         c.c_24 = Number(47) / Number(144);
-        const Number k_59 = c.c_24 * k_46;
-        const Number k_60 = c.c_24 * k_48;
-        const Number k_61 = k_58 + Number(13) / Number(48) * k_47 - Number(11) / Number(144) * k_45 - k_59 - k_60;
-        const Number k_62 = Number(329) / Number(90) * k_47 + Number(128) / Number(135) * k_48 - Number(244) / Number(135) * k_45;
-        const Number k_63 = Number(25) / Number(72) * c.u_y;
-        const Number k_64 = c.eps * (c.v_x * k_61 + c.u_x * c.v_y * (c.eps * k_62 - k_63));
-        const Number k_65 = k_64 + c.c_2 * c.u_x * c.v_y + c.c_2 * c.v_x * c.u_y;
-        const Number k_66 = k_15 + c.eps * k_56;
-        const Number k_67 = k_25 + c.eps * k_65;
-        c.c_25 = k_1 * k_2 + k_1 * k_3 + k_44 + c.c_13 * (k_56 * k_56) + c.c_13 * (k_65 * k_65) - Number(4) * (k_66 * k_66 + k_67 * k_67);
-        const Number k_68 = Number(443) / Number(1080) * k_45 + Number(79) / Number(360) * k_46 - Number(86) / Number(45) * k_47 - Number(63) / Number(40) * k_48;
-        const Number k_69 = c.u_x * (c.u_x * k_68 - Number(32) / Number(15) * c.v_x * c.u_y * c.v_y);
-        const Number k_70 = Number(61) / Number(120) * k_47 - Number(101) / Number(540) * k_46 - Number(56) / Number(45) * k_48;
-        const Number k_71 = Number(49) / Number(216) * k_47 + Number(61) / Number(72) * k_48;
-        const Number k_72 = k_69 + k_46 * k_70 + k_47 * k_71 + Number(65) / Number(108) * (k_48 * k_48);
-        const Number k_73 = c.eps * k_72 + c.u_y * (k_51 + k_52 + c.c_10 * k_48 - c.c_11 * k_46) + c.c_12 * c.u_x * c.v_x * c.v_y;
-        const Number k_74 = c.eps * k_73 + c.c_7 * k_47 + c.c_2 * k_48 - c.c_7 * k_45 - c.c_2 * k_46;
-        const Number k_75 = Number(593) / Number(180) * k_45 - Number(263) / Number(180) * k_46 - Number(55) / Number(108) * k_47 - Number(47) / Number(108) * k_48;
-        const Number k_76 = c.eps * (c.u_y * k_75 + Number(7) / Number(180) * c.u_x * c.v_x * c.v_y);
-        const Number k_77 = k_76 + Number(13) / Number(48) * k_45 - k_59 - k_60 - Number(11) / Number(144) * k_47;
-        const Number k_78 = Number(499) / Number(540) * k_45 + Number(491) / Number(540) * k_46 - Number(817) / Number(180) * k_47;
-        const Number k_79 = c.eps * (c.v_y * k_77 + c.u_x * c.v_x * (c.eps * k_78 - k_63));
-        const Number k_80 = k_79 + c.c_2 * c.u_x * c.v_x - c.c_2 * c.u_y * c.v_y;
-        const Number k_81 = k_34 + c.eps * k_74;
-        const Number k_82 = k_41 + c.eps * k_80;
-        c.c_26 = k_1 * k_4 + k_1 * k_5 + k_44 + c.c_13 * (k_74 * k_74) + c.c_13 * (k_80 * k_80) - Number(4) * (k_81 * k_81 + k_82 * k_82);
+        const Number k_60 = c.c_24 * k_47;
+        const Number k_61 = c.c_24 * k_49;
+        const Number k_62 = k_59 + Number(13) / Number(48) * k_48 - Number(11) / Number(144) * k_46 - k_60 - k_61;
+        const Number k_63 = Number(329) / Number(90) * k_48 + Number(128) / Number(135) * k_49 - Number(244) / Number(135) * k_46;
+        const Number k_64 = Number(25) / Number(72) * c.u_y;
+        const Number k_65 = c.eps * (c.v_x * k_62 + c.u_x * c.v_y * (c.eps * k_63 - k_64));
+        const Number k_66 = k_65 + c.c_3 * c.u_x * c.v_y + c.c_3 * c.v_x * c.u_y;
+        const Number k_67 = k_16 + c.eps * k_57;
+        const Number k_68 = k_26 + c.eps * k_66;
+        c.c_25 = k_1 * k_2 + k_1 * k_3 + k_45 + c.c_2 * (k_57 * k_57) + c.c_2 * (k_66 * k_66) - Number(4) * (k_67 * k_67 + k_68 * k_68);
+        const Number k_69 = Number(443) / Number(1080) * k_46 + Number(79) / Number(360) * k_47 - Number(86) / Number(45) * k_48 - Number(63) / Number(40) * k_49;
+        const Number k_70 = c.u_x * (c.u_x * k_69 - Number(32) / Number(15) * c.v_x * c.u_y * c.v_y);
+        const Number k_71 = Number(61) / Number(120) * k_48 - Number(101) / Number(540) * k_47 - Number(56) / Number(45) * k_49;
+        const Number k_72 = Number(49) / Number(216) * k_48 + Number(61) / Number(72) * k_49;
+        const Number k_73 = k_70 + k_47 * k_71 + k_48 * k_72 + Number(65) / Number(108) * (k_49 * k_49);
+        const Number k_74 = c.eps * k_73 + c.u_y * (k_52 + k_53 + c.c_11 * k_49 - c.c_12 * k_47) + c.c_13 * c.u_x * c.v_x * c.v_y;
+        const Number k_75 = c.eps * k_74 + c.c_8 * k_48 + c.c_3 * k_49 - c.c_8 * k_46 - c.c_3 * k_47;
+        const Number k_76 = Number(593) / Number(180) * k_46 - Number(263) / Number(180) * k_47 - Number(55) / Number(108) * k_48 - Number(47) / Number(108) * k_49;
+        const Number k_77 = c.eps * (c.u_y * k_76 + Number(7) / Number(180) * c.u_x * c.v_x * c.v_y);
+        const Number k_78 = k_77 + Number(13) / Number(48) * k_46 - k_60 - k_61 - Number(11) / Number(144) * k_48;
+        const Number k_79 = Number(499) / Number(540) * k_46 + Number(491) / Number(540) * k_47 - Number(817) / Number(180) * k_48;
+        const Number k_80 = c.eps * (c.v_y * k_78 + c.u_x * c.v_x * (c.eps * k_79 - k_64));
+        const Number k_81 = k_80 + c.c_3 * c.u_x * c.v_x - c.c_3 * c.u_y * c.v_y;
+        const Number k_82 = k_36 + c.eps * k_75;
+        const Number k_83 = k_43 + c.eps * k_81;
+        c.c_26 = k_1 * k_4 + k_1 * k_5 + k_45 + c.c_2 * (k_75 * k_75) + c.c_2 * (k_81 * k_81) - Number(4) * (k_82 * k_82 + k_83 * k_83);
         c.c_27 = resonform::math::number<Number>({7.888609052210118e-31});
         c.c_28 = Number(29) / Number(48);
-        c.c_29 = Number(5) / Number(3);
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, [[maybe_unused]] compute_constants_quantities<Number>& w) {
+        c.c_29 = Number(5) / Number(3);
         c.c_30 = Number(2) * c.eps;
         c.c_31 = Number(5) / Number(6);
     }
@@ -365,22 +366,22 @@ private:
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
         keep(from.eps, c.eps, "eps");
         keep(from.c_1, c.c_1, "c_1 in theta");
-        keep(from.c_2, c.c_2, "c_2 in y");
-        keep(from.c_3, c.c_3, "c_3 in x");
+        keep(from.c_2, c.c_2, "c_2 in x");
+        keep(from.c_3, c.c_3, "c_3 in y");
+        keep(from.c_4, c.c_4, "c_4 in x");
         keep(from.u_x, c.u_x, "u_x");
-        keep(from.c_4, c.c_4, "c_4 in v_y");
         keep(from.c_5, c.c_5, "c_5 in v_y");
         keep(from.c_6, c.c_6, "c_6 in v_y");
+        keep(from.c_7, c.c_7, "c_7 in v_y");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_7, c.c_7, "c_7 in y");
+        keep(from.c_8, c.c_8, "c_8 in y");
         keep(from.u_y, c.u_y, "u_y");
         keep(from.v_y, c.v_y, "v_y");
-        keep(from.c_8, c.c_8, "c_8");
-        keep(from.c_9, c.c_9, "c_9 in y_3");
+        keep(from.c_9, c.c_9, "c_9");
         keep(from.c_10, c.c_10, "c_10 in y_3");
         keep(from.c_11, c.c_11, "c_11 in y_3");
         keep(from.c_12, c.c_12, "c_12 in y_3");
-        keep(from.c_13, c.c_13, "c_13 in x");
+        keep(from.c_13, c.c_13, "c_13 in y_3");
         keep(from.c_14, c.c_14, "c_14 in y");
         keep(from.c_15, c.c_15, "c_15 in y");
         keep(from.c_16, c.c_16, "c_16 in y");
@@ -428,14 +429,14 @@ private:
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
         Number c_1;
-        Number c_8;
+        Number c_9;
     };
 
     template <class Number> static void compute_phase_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
         const Number eps = Number(given_eps);
         c.c_1 = Number(1) / eps;
-        c.c_8 = Number(0);
+        c.c_9 = Number(0);
     }
 
     // With all of them, if a step leaves the range of Number.
@@ -447,7 +448,7 @@ private:
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
             c.c_1 = all.c_1;
-            c.c_8 = all.c_8;
+            c.c_9 = all.c_9;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -460,16 +461,16 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = u_x * u_x;
-        const Number q_2 = c.c_4 * q_1;
+        const Number q_2 = c.c_5 * q_1;
         const Number q_3 = v_x * v_x;
-        const Number q_4 = c.c_4 * q_3;
+        const Number q_4 = c.c_5 * q_3;
         const Number u_y = flow[2];
         const Number q_5 = u_y * u_y;
         const Number v_y = flow[3];
         const Number q_6 = v_y * v_y;
-        const Number q_7 = c.c_4 * q_6;
-        const Number q_8 = c.c_4 * q_5;
-        return {Number(v_x * (q_2 + q_4 + q_7 - c.c_5 * q_5) + c.c_6 * u_x * u_y * v_y), Number(u_x * (c.c_5 * q_6 - q_2 - q_4 - q_8) - c.c_6 * v_x * u_y * v_y), Number(v_y * (q_4 + q_7 + q_8 - c.c_5 * q_1) + c.c_6 * u_x * v_x * u_y), Number(u_y * (c.c_5 * q_3 - q_2 - q_8 - q_7) - c.c_6 * u_x * v_x * v_y)};
+        const Number q_7 = c.c_5 * q_6;
+        const Number q_8 = c.c_5 * q_5;
+        return {Number(v_x * (q_2 + q_4 + q_7 - c.c_6 * q_5) + c.c_7 * u_x * u_y * v_y), Number(u_x * (c.c_6 * q_6 - q_2 - q_4 - q_8) - c.c_7 * v_x * u_y * v_y), Number(v_y * (q_4 + q_7 + q_8 - c.c_6 * q_1) + c.c_7 * u_x * v_x * u_y), Number(u_y * (c.c_6 * q_3 - q_2 - q_8 - q_7) - c.c_7 * u_x * v_x * v_y)};
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
@@ -517,15 +518,15 @@ private:
         const Real im_x = u_x * a.sin_theta + v_x * a.cos_theta;
         const Real im_y = u_y * a.sin_theta + v_y * a.cos_theta;
         const Real q_5 = re_x * re_x;
-        const Real q_6 = c.c_9 * q_5;
+        const Real q_6 = c.c_10 * q_5;
         const Real q_7 = im_x * im_x;
         const Real q_8 = re_y * re_y;
-        const Real q_9 = c.c_9 * q_8;
+        const Real q_9 = c.c_10 * q_8;
         const Real q_10 = im_y * im_y;
-        const Real x_3 = re_x * (q_6 + c.c_10 * q_7 + q_9 - c.c_11 * q_10) + c.c_12 * im_x * re_y * im_y;
-        const Real q_11 = c.eps * (c.eps * x_3 - c.c_2 * re_x * re_y - c.c_3 * im_x * im_y);
-        const Real y_3 = re_y * (q_6 + q_9 + c.c_10 * q_10 - c.c_11 * q_7) + c.c_12 * re_x * im_x * im_y;
-        const Real q_12 = c.c_7 * q_8 + c.c_2 * q_10 + c.eps * y_3 - c.c_7 * q_5 - c.c_2 * q_7;
+        const Real x_3 = re_x * (q_6 + c.c_11 * q_7 + q_9 - c.c_12 * q_10) + c.c_13 * im_x * re_y * im_y;
+        const Real q_11 = c.eps * (c.eps * x_3 - c.c_3 * re_x * re_y - c.c_4 * im_x * im_y);
+        const Real y_3 = re_y * (q_6 + q_9 + c.c_11 * q_10 - c.c_12 * q_7) + c.c_13 * re_x * im_x * im_y;
+        const Real q_12 = c.c_8 * q_8 + c.c_3 * q_10 + c.eps * y_3 - c.c_8 * q_5 - c.c_3 * q_7;
         values.x = c.eps * (q_1 + q_11 - q_2);
         values.y = c.eps * (q_3 + c.eps * q_12 - q_4);
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
@@ -559,21 +560,16 @@ private:
         const Number q_19 = Number(2) * (c.c_23 * q_1 + c.c_23 * q_4 - c.c_23 * q_2 - c.c_23 * q_3);
         const Number q_20 = u_y * (q_11 + q_12 - q_15 - c.c_20 * q_4) - c.c_21 * u_x * v_x * v_y;
         const Number q_21 = v_y * (q_11 + c.c_20 * q_3 - q_13 - q_15) + c.c_21 * u_x * v_x * u_y;
-        return {Number(-c.c_13 * u_x * u_y - c.c_13 * v_x * v_y), Number(Number(2) * q_8), Number(-Number(2) * q_10), Number(Number(2) * (c.c_18 * u_x * u_y - c.c_18 * v_x * v_y)), Number(-Number(2) * (c.c_18 * u_x * v_y + c.c_18 * v_x * u_y)), Number(Number(2) * q_14), Number(-Number(2) * q_16), Number(c.c_22 * q_3 + c.c_22 * q_4 - c.c_22 * q_1 - c.c_22 * q_2), Number(Number(2) * q_17), Number(-Number(2) * q_18), Number(q_19), Number(-Number(2) * (c.c_18 * u_x * v_x - c.c_18 * u_y * v_y)), Number(Number(2) * q_20), Number(-Number(2) * q_21)};
+        return {Number(-c.c_2 * u_x * u_y - c.c_2 * v_x * v_y), Number(Number(2) * q_8), Number(-Number(2) * q_10), Number(Number(2) * (c.c_18 * u_x * u_y - c.c_18 * v_x * v_y)), Number(-Number(2) * (c.c_18 * u_x * v_y + c.c_18 * v_x * u_y)), Number(Number(2) * q_14), Number(-Number(2) * q_16), Number(c.c_22 * q_3 + c.c_22 * q_4 - c.c_22 * q_1 - c.c_22 * q_2), Number(Number(2) * q_17), Number(-Number(2) * q_18), Number(q_19), Number(-Number(2) * (c.c_18 * u_x * v_x - c.c_18 * u_y * v_y)), Number(Number(2) * q_20), Number(-Number(2) * q_21)};
     }
 
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 4> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
-    }
-
-    template <class Number> static std::array<Number, 4> widened(const std::array<Real, 4>& values) {
-        std::array<Number, 4> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -628,7 +624,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);
@@ -643,7 +638,7 @@ private:
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
                 keep_constants(of.eps_, Parameters{}, of.start_, c);
-                start = {c.c_8};
+                start = {c.c_9};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
                 return {theta_rate(c, T)};
@@ -702,7 +697,7 @@ private:
                     lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
                 }
                 const auto& known = constants(course);
-                start = {known.c_8};
+                start = {known.c_9};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>) {
@@ -758,7 +753,7 @@ private:
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {theta_.build(theta_rates, wide.c_8, eps, reach), "theta"}, reach);
+                {theta_.build(theta_rates, wide.c_9, eps, reach), "theta"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

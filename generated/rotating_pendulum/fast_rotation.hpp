@@ -211,7 +211,7 @@ private:
         c.c_7 = Number(1) / Number(2) * c.u_phi * c.v_phi * k_27 * k_26;
         const Number k_30 = c.J_mean * c.J_mean;
         c.c_8 = k_30 - Number(1) / Number(100000000) * k_27;
-        c.c_9 = Number(1) - Number(2) * c.eps * k_25;
+        c.c_9 = Number(1) - Number(2) * c.eps * (Number(1) / k_30);
         c.c_10 = J_0 + k_17 - Number(2) * c.eps * c.per_J_mean;
         const Number k_31 = k_27 * k_27;
         const Number k_32 = k_31 * k_31;
@@ -380,6 +380,7 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     // The arguments at t + low.
     Status locate(const Real& t, const Real& low, Arguments& a) const noexcept {
@@ -422,7 +423,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

@@ -759,15 +759,10 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
+    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 2> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
-    }
-
-    template <class Number> static std::array<Number, 2> widened(const std::array<Real, 2>& values) {
-        std::array<Number, 2> wide;
-        for (std::size_t k = 0; k < values.size(); ++k) wide[k] = Number(values[k]);
-        return wide;
     }
 
     // The arguments at t + low.
@@ -823,7 +818,6 @@ private:
         const Evaluator& of;
         double eps, reach;
 
-        using Fine = resonform::kernel::Fine;
         Constants<Fine> fine = [this] {
             Constants<Fine> c;
             keep_constants(of.eps_, Parameters{}, of.start_, c);

@@ -250,7 +250,7 @@ private:
         const Number k_9 = Number(1) / Number(10) * k_8;
         c.c_4 = Number(1) / Number(15);
         const Number k_10 = x_dot_0 * k_1;
-        w.k_11 = k_1 * k_1;
+        w.k_11 = Number(1) / w.k_2;
         const Number k_12 = w.x_0 * k_1 * (-k_5 - Number(6) / Number(5) * y_0 * k_1) - c.c_2 * x_dot_0 * y_0 * w.k_11;
         const Number k_13 = -k_10 - c.eps * k_12;
         const Number k_14 = c.c_4 * k_13;
@@ -549,7 +549,7 @@ private:
         const Number k_8 = k_3 - eps * k_7;
         const Number k_9 = Number(1) / Number(10) * k_8;
         const Number k_10 = x_dot_0 * k_1;
-        const Number k_11 = k_1 * k_1;
+        const Number k_11 = Number(1) / k_2;
         const Number k_12 = x_0 * k_1 * (-k_6 - Number(6) / Number(5) * y_0 * k_1) - Number(2) / Number(5) * x_dot_0 * y_0 * k_11;
         const Number k_13 = -k_10 - eps * k_12;
         const Number k_14 = Number(1) / Number(15) * k_13;

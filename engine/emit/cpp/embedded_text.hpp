@@ -18,7 +18,7 @@ namespace frames {
 extern const std::string_view at_end, batch, by_tables, call, called, called_members, constructors, course,
     divided_rates, ensemble, errors, estimates, fields, further, keep_constants, keep_phase_constants, lies,
     library, library_end, library_ensemble, library_loops, library_many, library_names, library_state,
-    look_up, rates, recipe, rows, shorten, start_holds, why, widened;
+    look_up, rates, recipe, rows, shorten, start_holds, why;
 } // namespace frames
 
 std::string filled(std::string_view frame,

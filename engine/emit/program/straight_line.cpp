@@ -27,6 +27,9 @@ StraightLine::StraightLine(const Program& program) : graph_(program.graph) {
     varying_symbols_.resize(graph_.size(), false);
     for (const Graph::Node n : varying_symbols(program)) varying_symbols_[static_cast<std::size_t>(n)] = true;
     for (const ProgramOutput& named : program.names) names_.emplace(named.value, named.name);
+    for (std::size_t n = 0; n < graph_.size(); ++n)
+        if (const Graph::Entry& e = graph_.at(static_cast<Graph::Node>(n)); e.op == Graph::Op::power)
+            powers_.emplace(e.operands.front(), e.exponent);
 }
 
 bool StraightLine::any_varying(const std::vector<Value>& operands) const {
@@ -56,7 +59,7 @@ StraightLine::Value StraightLine::lower(Graph::Node n) {
         break;
     case Graph::Op::add: value = add(e); break;
     case Graph::Op::multiply: value = multiply(e); break;
-    case Graph::Op::power: value = chain(lower(e.operands.front()), e.exponent); break;
+    case Graph::Op::power: value = power(e.operands.front(), e.exponent); break;
     case Graph::Op::doubled:
         i.op = Op::doubled;
         i.operands = {lower(e.operands.front())};
@@ -198,14 +201,25 @@ StraightLine::Value StraightLine::product(std::vector<Value> factors) {
     return append(std::move(i));
 }
 
+// Of a constant that stands in numerators, too, a negative power is one over that one: their rounding errors
+// cancel in products, a^5 (1/a^5) instead of a^5 (1/a)^5.
+StraightLine::Value StraightLine::power(Graph::Node base, int exponent) {
+    const Value of = lower(base);
+    if (exponent < 0 && !at(of).varying && powers_.count({base, -exponent}) > 0)
+        return reciprocal(chain(of, -exponent));
+    return chain(of, exponent);
+}
+
+StraightLine::Value StraightLine::reciprocal(Value of) {
+    Instruction i;
+    i.op = Op::reciprocal;
+    i.operands = {of};
+    if (!at(of).label.empty()) i.label = "per_" + at(of).label;
+    return append(std::move(i));
+}
+
 StraightLine::Value StraightLine::chain(Value base, int exponent) {
-    if (exponent < 0) {
-        Instruction i;
-        i.op = Op::reciprocal;
-        i.operands = {base};
-        if (!at(base).label.empty()) i.label = "per_" + at(base).label;
-        return chain(append(std::move(i)), -exponent);
-    }
+    if (exponent < 0) return chain(reciprocal(base), -exponent);
     if (exponent == 1) return base;
     if (exponent % 2 == 1) return product({chain(base, exponent - 1), base});
     const Value half = chain(base, exponent / 2);

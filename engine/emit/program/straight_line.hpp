@@ -10,6 +10,7 @@
 #include "emit/program/program.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,6 +66,8 @@ private:
     Value append(Instruction instruction);
     Value add(const Graph::Entry& e);
     Value multiply(const Graph::Entry& e);
+    Value power(Graph::Node base, int exponent);
+    Value reciprocal(Value of);
     Value chain(Value base, int exponent);
     std::vector<Value> root_powers(std::vector<Graph::Node>& factors);
     [[nodiscard]] RootPower root_power(Graph::Node n) const;
@@ -79,6 +82,7 @@ private:
     Graph graph_;
     std::vector<bool> varying_symbols_;
     std::map<Graph::Node, std::string> names_;
+    std::set<std::pair<Graph::Node, int>> powers_; // that occur
     std::map<Graph::Node, Value> lowered_;
     std::map<std::string, Value> index_;
     std::vector<Instruction> instructions_;

@@ -32,13 +32,10 @@
 
 #include <array>
 #include <cstddef>
-#include <type_traits>
 
 namespace resonform::kernel {
 
-// What is wrong in an amplitude at a node is wrong in a whole panel: so it has some more digits than double
-// where the processor knows them. (Twice as many would take longer than all the rest.)
-using Fine = std::conditional_t<math::digits<long double> == 64, long double, double>;
+using Fine = math::Fine<double>; // of amplitudes: what is wrong at a node is wrong in a whole panel
 
 enum class Wave : unsigned char { one, cosine, sine };
 
