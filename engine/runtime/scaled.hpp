@@ -228,9 +228,9 @@ struct Keeper {
             note(math::finite(mantissa) ? Status::overflow : Status::outside_domain, quantity);
     }
     // That was in range on its way.
-    template <class Number>
-    [[gnu::noinline]] void operator()(const Number& from, Number& to, const char* quantity) {
-        to = from;
+    template <class From, class Number>
+    [[gnu::noinline]] void operator()(const From& from, Number& to, const char* quantity) {
+        to = static_cast<Number>(from);
         if (!math::finite(to)) note(Status::outside_domain, quantity);
     }
     // Elements first ... end - 1 of two arrays.

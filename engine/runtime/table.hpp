@@ -6,26 +6,24 @@
 #define RESONFORM_RUNTIME_TABLE
 
 #include "runtime/panels.hpp"
+#include "runtime/pieces.hpp"
 
 namespace resonform {
 
 template <class Real, std::size_t Count> class PrimitiveTable {
 public:
-    // Tabulates integrand(T) -> std::array<Number, Count>, of a T that it is handed as an Argument: Real, or
-    // finer. Status as fit_panels; if that is not ok, `end` is drawn back to where the integrands are defined,
-    // 0 if nowhere.
-    template <class Argument = Real, class Integrand> Status build(const Integrand& integrand, Real& end) {
+    // Tabulates integrand(T) -> std::array<Real, Count>. Status as fit_panels; if that is not ok, `end` is
+    // drawn back to where the integrands are defined, 0 if nowhere. The values are those of Real, whose range
+    // and noise later calls have, too; what is made of them is finer.
+    template <class Integrand> Status build(const Integrand& integrand, Real& end) {
         FitTolerance<Fine> tolerance;
         tolerance.resolution = Fine(math::epsilon<Real>());
         tolerance.relative = Fine(16) * tolerance.resolution;
         const auto values = [&](const Fine& T) {
-            auto fine = math::widened<Fine>(integrand(static_cast<Argument>(T)));
-            for (Fine& x : fine)
-                if (!math::finite(static_cast<Real>(x))) x = Fine(static_cast<Real>(x)); // too large for Real
-            return fine;
+            return math::widened<Fine>(integrand(static_cast<Real>(T)));
         };
-        const auto fitted = fit_panels<Fine, Count, terms - 1>(in_same_pieces(integrand, values), Fine(end),
-                                                               tolerance);
+        const auto fitted =
+            fit_panels<Fine, Count, terms - 1>(in_same_pieces(integrand, values), Fine(end), tolerance);
         std::vector<Real> lefts;
         panels_.clear();
         for (const Panel<Fine, Count, terms - 1>& panel : fitted.panels) {

@@ -929,9 +929,6 @@ private:
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
-        Constants<Fine> fine;
-        if (const Cause lost = keep_constants(eps, parameters, start, fine); lost.status != Status::ok)
-            return lost;
         if (const Cause failed = interval_.shorten(
                 {tables_0_.build_while([this](const Real& T, const std::array<Real, 4>& flow) { return flow_rates(constants_, T, flow); },
                               [this](const Real& T, const std::array<Real, 4>& flow) { return resonform::all_clear(layers(constants_, T, flow)); },
@@ -944,7 +941,7 @@ private:
             failed.status != Status::ok)
             return failed;
         if (const Cause failed = interval_.shorten(
-                {tables_1_.template build<Fine>([&](const Fine& T) { return integrands_1(fine, T, widened<Fine>(look_up_1(static_cast<Real>(T)))); }, reach), "Q_z"}, reach);
+                {tables_1_.build([this](const Real& T) { return integrands_1(constants_, T, look_up_1(T)); }, reach), "Q_z"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -680,7 +680,6 @@ private:
     using Cause = resonform::Cause;
     using Interval = resonform::Interval<Real>;
     using Wide = resonform::WideNumber<Real>;
-    using Fine = resonform::math::Fine<Real>;
 
     std::array<Real, 1> look_up_1(const Real& T) const noexcept {
         return tables_0_(T);
@@ -812,11 +811,8 @@ private:
                                            std::array{"-(s - 1) - I*omega"}, reach), reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Fine> fine;
-        if (const Cause lost = keep_constants(eps, parameters, start, fine); lost.status != Status::ok)
-            return lost;
         if (const Cause failed = interval_.shorten(
-                {tables_0_.template build<Fine>([&](const Fine& T) { return integrands_0(fine, T); }, reach), "Q_w"}, reach);
+                {tables_0_.build([this](const Real& T) { return integrands_0(constants_, T); }, reach), "Q_w"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -687,10 +687,8 @@ private:
                                            std::array{"sqrt(g)/(r^2 + xi^2)^(1/4)", "sqrt(g)/(r^2 + xi^2)^(1/4)", "psi", "psi", "psi"}, reach), reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Fine> fine;
-        compute_constants(eps, parameters, start, fine);
         if (const Cause failed = interval_.shorten(
-                {tables_0_.template build<Fine>([&](const Fine& T) { return integrands_0(fine, T); }, reach), "Q_x"}, reach);
+                {tables_0_.build([this](const Real& T) { return integrands_0(constants_, T); }, reach), "Q_x"}, reach);
             failed.status != Status::ok)
             return failed;
         Constants<Wide> wide;

@@ -73,6 +73,22 @@ TYPED_TEST(Table, StartsFromZeroWithRelativePrecision) {
     EXPECT_LT(math::magnitude(Real(table(tiny)[0] - tiny)), Real(16) * math::epsilon<Real>() * tiny);
 }
 
+// The rounding of the fit is that of one number: what is wrong in a coefficient is wrong at all points.
+TEST(TableOfQuadratures, IsFittedInFinerNumbers) {
+    const double rate = 0.3;
+    double worst = 0;
+    for (const double length : {0.7, 1.0, 1.3, 90.0}) {
+        PrimitiveTable<double, 1> table;
+        double end = length;
+        ASSERT_EQ(table.build([&](double) { return std::array{rate}; }, end), Status::ok);
+        for (int i = 1; i <= 100; ++i) {
+            const double T = length * i / 100, exact = rate * T;
+            worst = std::max(worst, std::abs(table(T)[0] - exact) / (0x1p-52 * exact));
+        }
+    }
+    EXPECT_LE(worst, 1.5);
+}
+
 // A peak 10^-4 wide in the middle: panels gather there, and the integral is exact all the same.
 TEST(TableOfPeaks, NarrowPeaksAreResolved) {
     const double width = 1e-4;

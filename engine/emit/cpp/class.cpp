@@ -26,9 +26,8 @@ public:
         : program_(*plan.program), plan_(plan), further_(further) {}
 
     std::string print() const {
-        return aliases() + cpp_further_arguments(plan_, further_) + look_up() + precise() +
-               locate() + points() + rows() + cpp_begin(plan_) + cpp_course(plan_) + construct() +
-               data_members();
+        return aliases() + cpp_further_arguments(plan_, further_) + look_up() + precise() + locate() +
+               points() + rows() + cpp_begin(plan_) + cpp_course(plan_) + construct() + data_members();
     }
 
 private:
@@ -49,18 +48,15 @@ private:
     std::string data_members() const;
     // Whether Parameters hold anything.
     bool has_parameters() const { return !program_.parameters.empty() || !plan_.callables.empty(); }
-    bool has_quadratures() const {
-        return std::any_of(plan_.levels.begin(), plan_.levels.end(),
-                           [](const auto& level) { return !level.flow; });
-    }
     // For numbers that are computed when tables are built.
     std::string parameters() const { return has_parameters() ? "of.parameters_" : "Parameters{}"; }
     std::string constants_function() const {
         return plan_.range.native ? "compute_constants" : "keep_constants";
     }
     // Tables are kept in Real; what needs them takes them as they are.
-    static std::string widened_tables(std::size_t levels, const char* number, const char* of = "") {
-        return fmt::format("widened<{}>({}look_up_{}(static_cast<Real>(T)))", number, of, levels);
+    std::string widened_tables(const char* number, const char* of = "") const {
+        return fmt::format("widened<{}>({}look_up_{}(static_cast<Real>(T)))", number, of,
+                           plan_.levels.size());
     }
 
     const Program& program_;
@@ -72,7 +68,8 @@ std::string CppFrame::aliases() const {
     std::string text =
         "    using Cause = resonform::Cause;\n    using Interval = resonform::Interval<Real>;\n";
     if (!program_.phases.empty()) text += "    using Wide = resonform::WideNumber<Real>;\n";
-    if (program_.has_tables() || has_quadratures()) text += "    using Fine = resonform::math::Fine<Real>;\n";
+    if (program_.has_tables() || plan_.fine_constants)
+        text += "    using Fine = resonform::math::Fine<Real>;\n";
     return text + "\n";
 }
 
@@ -190,7 +187,7 @@ std::string CppFrame::rates() const {
     if (program_.phases.empty()) return "";
     std::vector<std::string> list;
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
-        const std::string tables = plan_.phase_uses_tables[k] ? ", " + widened_tables(plan_.levels.size(), "Wide", "of.") : "";
+        const std::string tables = plan_.phase_uses_tables[k] ? ", " + widened_tables("Wide", "of.") : "";
         list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k], tables));
     }
     return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
@@ -216,7 +213,7 @@ std::string CppFrame::rows() const {
                                : "The outputs as sums of rows: amplitudes times 1, cosines and sines"},
          {"constants", constants_function()},
          {"parameters", parameters()},
-         {"tables", plan_.levels.empty() ? "" : ", " + widened_tables(plan_.levels.size(), "Fine", "of.")},
+         {"tables", plan_.levels.empty() ? "" : ", " + widened_tables("Fine", "of.")},
          {"rates", rates()},
          {"rounded", plan_.rounded_phases() ? "true" : "false"}});
 }
@@ -278,20 +275,19 @@ std::string CppFrame::construct() const {
     if (!plan_.levels.empty() || !program_.phases.empty() || !plan_.layers.empty())
         text += "        Real reach = end; // less where the domain ends before\n";
     if (program_.flow.empty()) text += layers();
-    if (has_quadratures()) text += "        Constants<Fine> fine;\n" + cpp_constants_call(plan_, "fine");
     for (std::size_t level = 0; level < plan_.levels.size(); ++level) {
         if (plan_.levels[level].flow) {
             text += flow(level) + layers();
             continue;
         }
-        const std::string tables = level == 0 ? "" : ", " + widened_tables(level, "Fine");
+        const std::string tables = level == 0 ? "" : fmt::format(", look_up_{}(T)", level);
         text += built_or_return(
-            fmt::format("tables_{}_.template build<Fine>({}, reach)", level,
+            fmt::format("tables_{}_.build({}, reach)", level,
                         cpp_in_pieces(
                             plan_,
-                            fmt::format("[&](const Fine& T) {{ return integrands_{}(fine, T{}); }}", level,
-                                        tables),
-                            "fine")),
+                            fmt::format("[this](const Real& T) {{ return integrands_{}(constants_, T{}); }}",
+                                        level, tables),
+                            "constants_")),
             plan_.levels[level].name);
     }
     if (!program_.phases.empty())
@@ -300,7 +296,7 @@ std::string CppFrame::construct() const {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);
         if (plan_.phase_uses_tables[k])
-            rate = fmt::format("{}_rate(wide, T, {})", name, widened_tables(plan_.levels.size(), "Wide"));
+            rate = fmt::format("{}_rate(wide, T, {})", name, widened_tables("Wide"));
         text += fmt::format(
             "        const auto {}_rates = {};\n", name,
             cpp_in_pieces(plan_,

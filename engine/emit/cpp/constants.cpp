@@ -169,7 +169,8 @@ std::string CppConstants::kept_constants() const {
     for (const CppCallable& callable : plan_.callables)
         text += fmt::format("        c.{0} = from.{0};\n", callable.name);
     return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n" +
-           std::string(frames::keep_constants);
+           filled(frames::keep_constants,
+                  {{"finely", plan_.fine_constants ? std::string(frames::keep_finely) : ""}});
 }
 
 // Those of them that phases read in more digits than Real has.

@@ -3,6 +3,7 @@
 
 #include "algebra/number/error.hpp"
 #include "emit/cpp/names.hpp"
+#include "emit/cpp/rounding.hpp"
 #include "emit/cpp/walk.hpp"
 #include "emit/program/prune.hpp"
 
@@ -33,6 +34,10 @@ CppPlan::CppPlan(const Program& p, const std::vector<CppCallable>& beside) : pro
     }
     name_kept();
     find_phase_constants();
+    std::vector<Value> results;
+    for (const CppResult& result : outputs) results.push_back(result.value);
+    constexpr double much = 12; // half-ulp; what is found is about a quarter of the bound
+    fine_constants = !range.native && rounding_of_constants(p, code, results) > much;
 }
 
 // Of the results, which have been lowered, and of the start.

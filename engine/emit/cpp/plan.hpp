@@ -88,8 +88,9 @@ struct CppPlan {
     // Of an ensemble's members, which have no phase or may have one of fewer digits.
     [[nodiscard]] bool has_full_phase() const { return !program->phases.empty(); }
     [[nodiscard]] bool walks_constants() const { return !listed.empty(); }
-    ConstantRange range;  // of the members
-    bool native_defaults; // of start values and slow time, whatever the arguments are
+    ConstantRange range;         // of the members
+    bool fine_constants = false; // members are computed in more digits than they keep (emit/cpp/rounding.hpp)
+    bool native_defaults;        // of start values and slow time, whatever the arguments are
     // The constant conditions are no members: these are native, and they would not be.
     bool conditions_apart = false;
     [[nodiscard]] bool uses_scaled() const { return !range.native || !native_defaults || conditions_apart; }

@@ -72,8 +72,8 @@ private:
         view_.reach = reach;
         AmplitudeFit<count> rows;
         const auto fit = [&](const auto& sizes) {
-            rows.fit([&](double t) { return scene.amplitudes(Fine(eps) * t); }, root,
-                     parts_of<Scene>(), lasts<Scene>, sizes, most_levels);
+            rows.fit([&](double t) { return scene.amplitudes(Fine(eps) * t); }, root, parts_of<Scene>(),
+                     lasts<Scene>, sizes, most_levels);
         };
         if constexpr (has_atoms<Scene>) {
             fit(OutputSizes<Scene>(scene));

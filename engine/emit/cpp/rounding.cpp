@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "emit/cpp/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace resonform {
+
+namespace {
+
+using Op = StraightLine::Op;
+using Value = StraightLine::Value;
+
+constexpr double small = 1e-3;   // eps
+constexpr double typical = 0.75; // every symbol without a default but 0, and cosines and sines
+constexpr double of_function = 2;
+
+struct Rounded {
+    double size = 0, error = 0; // of a sum: that of its terms; in units of it
+};
+
+Rounded sum_of(const std::vector<Rounded>& terms) {
+    Rounded sum;
+    for (const Rounded& x : terms) {
+        sum.size += x.size;
+        sum.error += x.size * x.error;
+    }
+    if (sum.size > 0) sum.error /= sum.size;
+    return {sum.size, sum.error + static_cast<double>(terms.size()) - 1};
+}
+
+Rounded product_of(const std::vector<Rounded>& factors) {
+    Rounded product{1, static_cast<double>(factors.size()) - 1};
+    for (const Rounded& x : factors) {
+        product.size *= x.size;
+        product.error += x.error;
+    }
+    return product;
+}
+
+Rounded step(const StraightLine::Instruction& i, const std::vector<Rounded>& x, double symbol) {
+    switch (i.op) {
+    case Op::number: return {std::fabs(cln::double_approx(i.number)), 0};
+    case Op::symbol: return {symbol, 0};
+    case Op::add: return sum_of(x);
+    case Op::multiply: return product_of(x);
+    case Op::reciprocal: return {x[0].size > 0 ? 1 / x[0].size : 1, x[0].error + 1};
+    case Op::root: return {std::pow(x[0].size, 1.0 / i.index), x[0].error / i.index + 1};
+    case Op::doubled: return {x[0].size, 1};
+    case Op::function: break;
+    }
+    Rounded result{typical, of_function};
+    for (const Rounded& argument : x) result.error = std::max(result.error, of_function + argument.error);
+    if (i.function == Graph::Op::sqrt_sum_squares) result.size = std::hypot(x[0].size, x[1].size);
+    return result;
+}
+
+// Two analyses side by side: all steps, and those of constants as one.
+class Roundings {
+public:
+    Roundings(const StraightLine& code, Graph::Node eps) : code_(code), symbols_{{eps, small}} {}
+
+    // A start value has the size of its default, and what is 0 that of eps.
+    void take(Graph::Node symbol, Value by_default) {
+        add({by_default});
+        const double size = by_steps_[static_cast<std::size_t>(by_default)].size;
+        symbols_[symbol] = size > 0 ? size : small;
+    }
+
+    void add(const std::vector<Value>& roots) {
+        by_steps_.resize(code_.size());
+        at_once_.resize(code_.size());
+        for (const Value v : code_.behind(roots, true)) {
+            const StraightLine::Instruction& i = code_.at(v);
+            std::vector<Rounded> steps, once;
+            for (const Value operand : i.operands) {
+                steps.push_back(by_steps_[static_cast<std::size_t>(operand)]);
+                once.push_back(at_once_[static_cast<std::size_t>(operand)]);
+            }
+            const auto known = symbols_.find(i.symbol);
+            const double symbol = known == symbols_.end() ? typical : known->second;
+            Rounded& last = at_once_[static_cast<std::size_t>(v)];
+            by_steps_[static_cast<std::size_t>(v)] = step(i, steps, symbol);
+            last = step(i, once, symbol);
+            if (!i.varying) last.error = std::min(1.0, last.error);
+        }
+    }
+
+    [[nodiscard]] double of_constants(Value v) const {
+        return by_steps_[static_cast<std::size_t>(v)].error - at_once_[static_cast<std::size_t>(v)].error;
+    }
+
+private:
+    const StraightLine& code_;
+    std::map<Graph::Node, double> symbols_;
+    std::vector<Rounded> by_steps_, at_once_;
+};
+
+} // namespace
+
+double rounding_of_constants(const Program& program, StraightLine& code, const std::vector<Value>& outputs) {
+    std::vector<std::pair<Graph::Node, Value>> defaults;
+    for (const ProgramInput& input : program.start)
+        if (input.default_value >= 0) defaults.emplace_back(input.symbol, code.lower(input.default_value));
+    Roundings roundings(code, program.eps);
+    for (const auto& [symbol, value] : defaults) roundings.take(symbol, value);
+    roundings.add(outputs);
+    double worst = 0;
+    for (const Value v : outputs) worst = std::max(worst, roundings.of_constants(v));
+    return worst;
+}
+
+} // namespace resonform
