@@ -91,9 +91,6 @@ struct Spared {
 
 const std::vector<Spared>& spared() {
     static const std::vector<Spared> list{
-        {"nonholonomic_particle/uniform_rise", "start_ = start;",
-         "phases of other scenes depend on the start"},
-        {"crossing_rates/through_one_rate", "c.c_18 = c.c_10 * c.c_10;", "of the condition s + 1"},
         {"crossing_rates/through_one_rate", "if (!(from.c_18 > From(0)))",
          "the condition 2*(s + 1) implies it"},
         {"crossing_rates/through_one_rate", "if (!(from.c_5 > From(0)))", "the condition 2*s implies it"},
