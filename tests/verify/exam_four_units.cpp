@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wanted of scenes whose frequencies hang on no computed flow: 4 ulp of an output's scale, call by
+// call and of many points at once, from 100 starts at 1000 times each.
+#include "verify/judging/emitted_check.hpp"
+#include "verify/judging/emitted_points.hpp"
+#include "verify/run/cache.hpp"
+
+#include "emit/program/build_program.hpp"
+#include "support/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+namespace resonform {
+namespace {
+
+class SlowFourUnits : public ::testing::TestWithParam<std::pair<std::string, std::string>> {};
+
+TEST_P(SlowFourUnits, AreEnoughForClosedScenes) {
+    const auto& [system, name] = GetParam();
+    const std::filesystem::path cache = std::filesystem::path(RESONFORM_BINARY_DIR) / "test_cache";
+    const Scene scene = test::scene_of(system, name);
+    const Solution solution = test::solution_of(scene);
+    const Program program = build_program(solution, scene, {true, false, true});
+    const auto library = EvaluatorLibrary::build(program, cache, {}, "dl");
+    const EmittedCheck check = check_emitted(program, library, solution, scene, {cache, {}, 100, 100});
+    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+    EXPECT_EQ(check.types.at(0).points, 100000U);
+    EXPECT_LE(check.types.at(0).ulp, 4) << to_text(check);
+}
+
+INSTANTIATE_TEST_SUITE_P(SlowScenes, SlowFourUnits,
+                         ::testing::Values(std::pair("almost_holonomic_pendulum", "as_published"),
+                                           std::pair("disc_on_a_track", "second_order"),
+                                           std::pair("airy", "waves"),
+                                           std::pair("adiabatic_oscillator", "square_root")));
+
+} // namespace
+} // namespace resonform
