@@ -14,7 +14,7 @@ using Op = StraightLine::Op;
 using Value = StraightLine::Value;
 
 constexpr double small = 1e-3;   // eps
-constexpr double typical = 0.75; // every symbol without a default but 0, and cosines and sines
+constexpr double typical = 0.75; // symbols without a default, cosines and sines
 constexpr double of_function = 2;
 
 struct Rounded {
