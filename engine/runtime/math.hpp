@@ -45,8 +45,8 @@ template <class Real> inline constexpr int digits = std::numeric_limits<Real>::d
 template <> inline constexpr int digits<Float128> = 113;
 #endif
 
-// Real, or what has some more digits where the processor knows it: for numbers whose error would be that of
-// all points of a table. (Twice as many digits would take longer than all the rest.)
+// Real, or a type of some more digits if the processor has one: for numbers whose rounding error every point
+// of a table would inherit. (Doubled precision would take longer than all the rest of a construction.)
 template <class Real> struct FineOf { using type = Real; };
 template <> struct FineOf<double> {
     using type = std::conditional_t<digits<long double> == 64, long double, double>;

@@ -13,8 +13,8 @@ namespace resonform {
 template <class Real, std::size_t Count> class PrimitiveTable {
 public:
     // Tabulates integrand(T) -> std::array<Real, Count>. Status as fit_panels; if that is not ok, `end` is
-    // drawn back to where the integrands are defined, 0 if nowhere. The values are those of Real, whose range
-    // and noise later calls have, too; what is made of them is finer.
+    // drawn back to where the integrands are defined, 0 if nowhere. The integrand is evaluated in Real, so
+    // that the table ends where calls in Real would overflow or lose their digits; only the fit is finer.
     template <class Integrand> Status build(const Integrand& integrand, Real& end) {
         FitTolerance<Fine> tolerance;
         tolerance.resolution = Fine(math::epsilon<Real>());

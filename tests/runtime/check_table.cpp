@@ -73,7 +73,7 @@ TYPED_TEST(Table, StartsFromZeroWithRelativePrecision) {
     EXPECT_LT(math::magnitude(Real(table(tiny)[0] - tiny)), Real(16) * math::epsilon<Real>() * tiny);
 }
 
-// The rounding of the fit is that of one number: what is wrong in a coefficient is wrong at all points.
+// The fit adds no more than the rounding of its result: an error in a coefficient would show at every point.
 TEST(TableOfQuadratures, IsFittedInFinerNumbers) {
     const double rate = 0.3;
     double worst = 0;

@@ -3,7 +3,6 @@
 // call and of many points at once, from 100 starts at 1000 times each.
 #include "verify/judging/emitted_check.hpp"
 #include "verify/judging/emitted_points.hpp"
-#include "verify/run/cache.hpp"
 
 #include "emit/program/build_program.hpp"
 #include "support/program.hpp"

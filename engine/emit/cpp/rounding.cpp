@@ -57,45 +57,39 @@ Rounded step(const StraightLine::Instruction& i, const std::vector<Rounded>& x, 
     return result;
 }
 
-// Two analyses side by side: all steps, and those of constants as one.
 class Roundings {
 public:
-    Roundings(const StraightLine& code, Graph::Node eps) : code_(code), symbols_{{eps, small}} {}
+    // once: each constant is rounded once, whatever it is made of.
+    Roundings(const StraightLine& code, Graph::Node eps, bool once)
+        : code_(code), once_(once), symbols_{{eps, small}}, values_(code.size()) {}
 
-    // A start value has the size of its default, and what is 0 that of eps.
+    // Start values are taken to be as large as their defaults, or as eps where the default is 0.
     void take(Graph::Node symbol, Value by_default) {
         add({by_default});
-        const double size = by_steps_[static_cast<std::size_t>(by_default)].size;
+        const double size = values_[static_cast<std::size_t>(by_default)].size;
         symbols_[symbol] = size > 0 ? size : small;
     }
 
     void add(const std::vector<Value>& roots) {
-        by_steps_.resize(code_.size());
-        at_once_.resize(code_.size());
         for (const Value v : code_.behind(roots, true)) {
             const StraightLine::Instruction& i = code_.at(v);
-            std::vector<Rounded> steps, once;
-            for (const Value operand : i.operands) {
-                steps.push_back(by_steps_[static_cast<std::size_t>(operand)]);
-                once.push_back(at_once_[static_cast<std::size_t>(operand)]);
-            }
+            std::vector<Rounded> operands;
+            for (const Value operand : i.operands)
+                operands.push_back(values_[static_cast<std::size_t>(operand)]);
             const auto known = symbols_.find(i.symbol);
-            const double symbol = known == symbols_.end() ? typical : known->second;
-            Rounded& last = at_once_[static_cast<std::size_t>(v)];
-            by_steps_[static_cast<std::size_t>(v)] = step(i, steps, symbol);
-            last = step(i, once, symbol);
-            if (!i.varying) last.error = std::min(1.0, last.error);
+            Rounded& value = values_[static_cast<std::size_t>(v)];
+            value = step(i, operands, known == symbols_.end() ? typical : known->second);
+            if (once_ && !i.varying) value.error = std::min(1.0, value.error);
         }
     }
 
-    [[nodiscard]] double of_constants(Value v) const {
-        return by_steps_[static_cast<std::size_t>(v)].error - at_once_[static_cast<std::size_t>(v)].error;
-    }
+    [[nodiscard]] double error(Value v) const { return values_[static_cast<std::size_t>(v)].error; }
 
 private:
     const StraightLine& code_;
+    bool once_;
     std::map<Graph::Node, double> symbols_;
-    std::vector<Rounded> by_steps_, at_once_;
+    std::vector<Rounded> values_;
 };
 
 } // namespace
@@ -104,11 +98,13 @@ double rounding_of_constants(const Program& program, StraightLine& code, const s
     std::vector<std::pair<Graph::Node, Value>> defaults;
     for (const ProgramInput& input : program.start)
         if (input.default_value >= 0) defaults.emplace_back(input.symbol, code.lower(input.default_value));
-    Roundings roundings(code, program.eps);
-    for (const auto& [symbol, value] : defaults) roundings.take(symbol, value);
-    roundings.add(outputs);
+    Roundings all(code, program.eps, false), once(code, program.eps, true);
+    for (Roundings* roundings : {&all, &once}) {
+        for (const auto& [symbol, value] : defaults) roundings->take(symbol, value);
+        roundings->add(outputs);
+    }
     double worst = 0;
-    for (const Value v : outputs) worst = std::max(worst, roundings.of_constants(v));
+    for (const Value v : outputs) worst = std::max(worst, all.error(v) - once.error(v));
     return worst;
 }
 

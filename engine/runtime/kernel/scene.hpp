@@ -35,7 +35,9 @@
 
 namespace resonform::kernel {
 
-using Fine = math::Fine<double>; // of amplitudes: what is wrong at a node is wrong in a whole panel
+// Amplitudes are sampled in this type: a rounding error at a node shifts the fit of the whole panel around
+// it.
+using Fine = math::Fine<double>;
 
 enum class Wave : unsigned char { one, cosine, sine };
 
