@@ -6,7 +6,7 @@
 #   frames   each file of emit/cpp/frames by its name
 function(add_embedded_text target)
     set(runtime "")
-    foreach(header status float128 math lanes twice in_range scaled walk pieces panels table flow interval bounds layer phase decay gauss flow_panel final_sums final_point report points
+    foreach(header status float128 math lanes twice in_range digits scaled walk rows pieces panels table flow interval bounds layer phase decay gauss flow_panel final_sums final_point report points
             kernel/view kernel/scene kernel/chebyshev_powers kernel/chebyshev kernel/amplitude_rows kernel/phase_rows
             kernel/parts kernel/atoms kernel/tables kernel/lanes kernel/block spline callable pack_lanes pack pack_pair ensemble kernel/batch kernel/grid batch tabulated)
         set(file ${CMAKE_SOURCE_DIR}/engine/runtime/${header}.hpp)

@@ -8,9 +8,11 @@
 #ifndef RESONFORM_RUNTIME_SCALED
 #define RESONFORM_RUNTIME_SCALED
 
+#include "runtime/digits.hpp"
 #include "runtime/math.hpp"
 #include "runtime/status.hpp"
 
+#include <array>
 #include <cstddef>
 #include <type_traits>
 
@@ -214,6 +216,15 @@ template <class Number> Scaled<Number> atan2(const Scaled<Number>& y, const Scal
     return Scaled<Number>(atan2(y.at(e), x.at(e)));
 }
 
+// Of an array's elements from `first` on, the first that is not > 0, by its name.
+template <class List, std::size_t Count>
+Cause first_not_positive(const List& list, std::size_t first, const std::array<const char*, Count>& names) {
+    using Number = std::remove_cvref_t<decltype(list[0])>;
+    for (std::size_t k = 0; k < Count; ++k)
+        if (!(list[first + k] > Number(0))) return {Status::outside_domain, names[k]};
+    return {};
+}
+
 // Constants on their way into Number; `cause` names the first that has no place there.
 struct Keeper {
     Cause cause;
@@ -233,10 +244,16 @@ struct Keeper {
         to = static_cast<Number>(from);
         if (!math::finite(to)) note(Status::outside_domain, quantity);
     }
-    // Elements first ... end - 1 of two arrays.
-    template <class From, class To>
-    void operator()(const From& from, To& to, std::size_t first, std::size_t end, const char* quantity) {
-        for (std::size_t k = first; k < end; ++k) (*this)(from[k], to[k], quantity);
+    // Elements of two arrays from the first on in runs: of each run two digits tell the name of its elements,
+    // the last one that they are not kept, and one how many they are (runtime/digits.hpp).
+    template <class From, class To, std::size_t Count>
+    void operator()(const From& from, To& to, const std::array<const char*, Count>& names, const char* runs) {
+        for (std::size_t k = 0; *runs != '\0';) {
+            const auto name = static_cast<std::size_t>(read_digits(runs, 2));
+            const std::size_t end = k + static_cast<std::size_t>(read_digits(runs, 1));
+            for (; k < end; ++k)
+                if (name < Count) (*this)(from[k], to[k], names[name]);
+        }
     }
 
 private:

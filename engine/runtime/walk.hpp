@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// A long formula as text that a loop walks: a compiler would take minutes for it as statements. All values
-// have places in one array; what a value is made of is told by digits of base 90, the printable characters
-// from '#' without '?' and '\'. A place and a number of the list `numbers` has `Digits` of them.
+// A long formula as text that a loop walks: a compiler would take minutes for it as statements. The text is
+// digits (runtime/digits.hpp). Values that are used more than once have places in one array; all others stand
+// where they are used, as operators before their operands:
 //
-//   sum             how many terms are added, how many subtracted, its place, theirs
-//   sum_and_number  the same, with a number before its place
-//   product         how many factors, its place, theirs
-//   scaled_product  the same, with a number before its place
-//   reciprocal      its place, that of x
-//   root            its degree, its place, that of x
-//   function        which one, how many arguments, its place, theirs
-//   end
-//   long_number     its place, exponent + 4050 in two digits, seven mantissas + 2^53 in nine each:
-//                   2^exponent * sum of mantissa_k/2^(53 k), each the whole number next to what is left
+//   place value                           a step: what goes there
+//   end                                   of the steps
+//
+// A value is
+//
+//   place                                 `Digits` digits, the first of them less than `firsts`
+//   number k                              of a list, k by `Digits` digits
+//   long_number                           exponent + 4050 in two digits, seven mantissas + 2^53 in nine each:
+//                                         2^exponent * sum of mantissa_k/2^(53 k), each the whole number next
+//                                         to what is left
+//   sum 9 p + q, p + q values             p that are added, q that are subtracted; or 81 and both in two
+//   product k, k values                   or 89 and k in two digits
+//   two_factors, two values
+//   reciprocal value
+//   root degree value
+//   function which, one or two values
 #ifndef RESONFORM_RUNTIME_WALK
 #define RESONFORM_RUNTIME_WALK
 
+#include "runtime/digits.hpp"
 #include "runtime/math.hpp"
 
 #include <array>
@@ -23,23 +30,31 @@
 
 namespace resonform {
 
-enum class Walked {
-    sum,
-    sum_and_number,
-    product,
-    scaled_product,
-    reciprocal,
-    root,
-    function,
-    end,
-    long_number
-};
-enum class WalkedFunction { sin, cos, log, log1p, exp, expm1, asinh, sinh, erf, atan2, hypot };
+namespace walk {
+inline constexpr int base = 90;
+// First digits from here on are no places.
+enum Mark { sum = 80, product, two_factors, reciprocal, root, function, long_number, number, end };
+inline constexpr int firsts = sum, number_digits = 8;                  // at most, of a part of a number
+inline constexpr int long_sum = 81, most_added = 9, long_product = 89; // counts
+enum class Function { sin, cos, log, log1p, exp, expm1, asinh, sinh, erf, atan2, hypot };
+} // namespace walk
 
 // A rational number; both parts are exact in every real type.
 struct Ratio {
     long long over, under;
 };
+
+// Of each number N/D: 8 (m - 1) + n - 1, m digits 2 |N| + (N < 0), n digits D.
+template <std::size_t Count> constexpr std::array<Ratio, Count> ratios(const char* text) {
+    std::array<Ratio, Count> list{};
+    for (Ratio& ratio : list) {
+        const long long lengths = read_digits(text, 1);
+        const long long over = read_digits(text, static_cast<int>(lengths / walk::number_digits) + 1);
+        ratio = {over % 2 == 0 ? over / 2 : -(over / 2),
+                 read_digits(text, static_cast<int>(lengths % walk::number_digits) + 1)};
+    }
+    return list;
+}
 
 // Functions: bit k is set if function k occurs, so that a type needs no others.
 template <int Digits, unsigned Functions, class Number> class Walk {
@@ -48,66 +63,71 @@ public:
         : places_(places), numbers_(numbers), at_(text) {}
 
     void run() {
-        for (auto what = static_cast<Walked>(digit()); what != Walked::end;
-             what = static_cast<Walked>(digit()))
-            take(what);
+        for (int first = digit(); first != walk::end; first = digit()) {
+            const std::size_t to = place(first);
+            places_[to] = value();
+        }
     }
 
     // The values at the places listed, one after the other.
     template <class List> void copy_to(List& list) {
-        for (Number& x : list) x = next();
+        for (Number& x : list) x = value();
     }
 
 private:
-    int digit() { return digit_of[static_cast<unsigned char>(*at_++)]; }
-    long long digits(int count) {
-        long long n = 0;
-        for (int k = 0; k < count; ++k) n = 90 * n + digit();
-        return n;
-    }
-    std::size_t index() { return static_cast<std::size_t>(digits(Digits)); }
-    Number& next() { return places_[index()]; }
-    Number number() {
-        using One = typename OneOf<Number>::type;
-        const Ratio& ratio = numbers_[index()];
-        return Number(One(One(ratio.over) / One(ratio.under)));
+    int digit() { return digit_values[static_cast<unsigned char>(*at_++)]; }
+    long long digits(int count) { return read_digits(at_, count); }
+    std::size_t place(int first) {
+        long long n = first;
+        for (int k = 1; k < Digits; ++k) n = walk::base * n + digit();
+        return static_cast<std::size_t>(n);
     }
 
-    void take(Walked what) {
-        switch (what) {
-        case Walked::sum: return sum(false);
-        case Walked::sum_and_number: return sum(true);
-        case Walked::product: return product(false);
-        case Walked::scaled_product: return product(true);
-        case Walked::long_number: return long_number();
-        case Walked::root: return root(digit());
-        case Walked::function: return function(digit());
-        default: break;
+    // use(the next value), where it stands if it has a place.
+    template <class Use> void take(const Use& use) {
+        const int first = digit();
+        first < walk::firsts ? use(places_[place(first)]) : use(inner(first));
+    }
+    Number value() {
+        const int first = digit();
+        return first < walk::firsts ? places_[place(first)] : inner(first);
+    }
+    Number inner(int first) {
+        switch (first) {
+        case walk::sum: return sum();
+        case walk::product: return product();
+        case walk::two_factors: return product(2);
+        case walk::reciprocal: return Number(1) / value();
+        case walk::root: return root(digit());
+        case walk::function: return function(static_cast<walk::Function>(digit()));
+        case walk::long_number: return long_number();
+        default: break; // a number
         }
-        Number& x = next();
-        x = Number(1) / next();
-    }
-    void sum(bool with_number) {
-        const int plus = digit(), minus = digit();
-        Number x = with_number ? number() : Number(0);
-        Number& to = next();
-        const bool starts = !with_number && plus > 0;
-        if (starts) x = next();
-        for (int k = starts ? 1 : 0; k < plus; ++k) x = x + next();
-        for (int k = 0; k < minus; ++k) x = x - next();
-        to = x;
-    }
-    void product(bool with_number) {
-        const int factors = digit();
-        Number x = with_number ? number() : Number(1);
-        Number& to = next();
-        if (!with_number) x = next();
-        for (int k = with_number ? 0 : 1; k < factors; ++k) x = x * next();
-        to = x;
-    }
-    void long_number() {
         using One = typename OneOf<Number>::type;
-        Number& to = next();
+        const Ratio& ratio = numbers_[place(digit())];
+        return Number(One(One(ratio.over) / One(ratio.under)));
+    }
+    Number sum() {
+        const int counts = digit();
+        const bool is_long = counts == walk::long_sum;
+        const long long plus = is_long ? digits(2) : counts / walk::most_added,
+                        minus = is_long ? digits(2) : counts % walk::most_added;
+        Number x = plus > 0 ? value() : Number(0);
+        for (long long k = 1; k < plus; ++k) take([&](const Number& y) { x = x + y; });
+        for (long long k = 0; k < minus; ++k) take([&](const Number& y) { x = x - y; });
+        return x;
+    }
+    Number product() {
+        const int count = digit();
+        return product(count == walk::long_product ? digits(2) : count);
+    }
+    Number product(long long count) {
+        Number x = value();
+        for (long long k = 1; k < count; ++k) take([&](const Number& y) { x = x * y; });
+        return x;
+    }
+    Number long_number() {
+        using One = typename OneOf<Number>::type;
         const int exponent = static_cast<int>(digits(2)) - 4050;
         std::array<double, 7> parts{};
         double unit = 1;
@@ -115,55 +135,45 @@ private:
             part = static_cast<double>(digits(9) - (1LL << 53)) * unit;
             unit *= 0x1p-53;
         }
-        to = Number(math::number<One>(parts, exponent));
+        return Number(math::number<One>(parts, exponent));
     }
-    void root(int degree) {
+    Number root(int degree) {
         using math::root;
         using math::sqrt;
-        Number& to = next();
-        const Number& x = next();
-        to = degree == 2 ? Number(sqrt(x)) : Number(root(x, degree));
+        const Number x = value();
+        return degree == 2 ? Number(sqrt(x)) : Number(root(x, degree));
     }
-    static constexpr bool uses(WalkedFunction f) { return (Functions >> static_cast<unsigned>(f) & 1U) != 0; }
     // if constexpr: not every type has every function.
-    void function(int which) {
+    Number function(walk::Function which) {
         using namespace math;
-        using Of = WalkedFunction;
-        const auto f = static_cast<Of>(which);
-        const bool two = digit() == 2;
-        Number& to = next();
-        const Number x = next(), y = two ? next() : x;
+        using Of = walk::Function;
+        constexpr auto uses = [](Of f) { return (Functions >> static_cast<unsigned>(f) & 1U) != 0; };
+        const Number x = value();
         if constexpr (uses(Of::sin))
-            if (f == Of::sin) to = sin(x);
+            if (which == Of::sin) return sin(x);
         if constexpr (uses(Of::cos))
-            if (f == Of::cos) to = cos(x);
+            if (which == Of::cos) return cos(x);
         if constexpr (uses(Of::log))
-            if (f == Of::log) to = log(x);
+            if (which == Of::log) return log(x);
         if constexpr (uses(Of::log1p))
-            if (f == Of::log1p) to = log1p(x);
+            if (which == Of::log1p) return log1p(x);
         if constexpr (uses(Of::exp))
-            if (f == Of::exp) to = exp(x);
+            if (which == Of::exp) return exp(x);
         if constexpr (uses(Of::expm1))
-            if (f == Of::expm1) to = expm1(x);
+            if (which == Of::expm1) return expm1(x);
         if constexpr (uses(Of::asinh))
-            if (f == Of::asinh) to = asinh(x);
+            if (which == Of::asinh) return asinh(x);
         if constexpr (uses(Of::sinh))
-            if (f == Of::sinh) to = sinh(x);
+            if (which == Of::sinh) return sinh(x);
         if constexpr (uses(Of::erf))
-            if (f == Of::erf) to = erf(x);
+            if (which == Of::erf) return erf(x);
+        const Number y = value();
         if constexpr (uses(Of::atan2))
-            if (f == Of::atan2) to = atan2(x, y);
+            if (which == Of::atan2) return atan2(x, y);
         if constexpr (uses(Of::hypot))
-            if (f == Of::hypot) to = hypot(x, y);
+            if (which == Of::hypot) return hypot(x, y);
+        return y;
     }
-
-    static constexpr std::array<unsigned char, 256> digit_of = [] {
-        std::array<unsigned char, 256> list{};
-        unsigned char n = 0;
-        for (unsigned char c = '#'; c < 0x7f; ++c)
-            if (c != '?' && c != '\\') list[c] = n++;
-        return list;
-    }();
 
     Number* places_;
     const Ratio* numbers_;

@@ -490,11 +490,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 1> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                keep_constants(of.eps_, Parameters{}, of.start_, c);
+                keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_8};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
@@ -605,8 +605,8 @@ private:
                                            std::array{"2*(3*exp(2*tau) + 1)/(exp(2*tau) + 1)"}, reach), reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Wide> wide;
-        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+        PhaseConstants<Wide> wide;
+        if (const Cause lost = keep_phase_constants(eps, parameters, start, wide); lost.status != Status::ok)
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(

@@ -815,8 +815,8 @@ private:
                 {tables_0_.build([this](const Real& T) { return integrands_0(constants_, T); }, reach), "Q_w"}, reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Wide> wide;
-        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+        PhaseConstants<Wide> wide;
+        if (const Cause lost = keep_phase_constants(eps, parameters, start, wide); lost.status != Status::ok)
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(

@@ -534,11 +534,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 1> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                keep_constants(of.eps_, Parameters{}, of.start_, c);
+                keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_9};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
@@ -658,8 +658,8 @@ private:
                 {tables_1_.build([this](const Real& T) { return integrands_1(constants_, T, look_up_1(T)); }, reach), "Q_y"}, reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Wide> wide;
-        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+        PhaseConstants<Wide> wide;
+        if (const Cause lost = keep_phase_constants(eps, parameters, start, wide); lost.status != Status::ok)
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(

@@ -788,11 +788,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 2> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                compute_constants(of.eps_, Parameters{}, of.start_, c);
+                compute_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_6, c.c_6};
             }
             std::array<Wide, 2> operator()(const Wide& T) const {
@@ -923,8 +923,8 @@ private:
                                            std::array{"sqrt(4*k + s)", "sqrt(4*k + s)", "2*sqrt(k) + sqrt(4*k + s)", "2*sqrt(k) + sqrt(4*k + s)", "2*sqrt(k) - sqrt(4*k + s)", "2*sqrt(k) - sqrt(4*k + s)", "2*sqrt(k) + 2*sqrt(4*k + s)", "2*sqrt(k) + 2*sqrt(4*k + s)", "2*sqrt(k) - 2*sqrt(4*k + s)", "2*sqrt(k) - 2*sqrt(4*k + s)", "x", "y"}, reach), reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        PhaseConstants<Wide> wide;
+        compute_phase_constants(eps, parameters, start, wide);
         const auto theta_1_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_1_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
                 {theta_1_.build(theta_1_rates, wide.c_6, eps, reach), "theta_1"}, reach);

@@ -418,11 +418,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 1> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                keep_constants(of.eps_, Parameters{}, of.start_, c);
+                keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_1};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
@@ -514,8 +514,8 @@ private:
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
-        Constants<Wide> wide;
-        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+        PhaseConstants<Wide> wide;
+        if (const Cause lost = keep_phase_constants(eps, parameters, start, wide); lost.status != Status::ok)
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(

@@ -282,11 +282,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 1> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                compute_constants(of.eps_, Parameters{}, of.start_, c);
+                compute_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_1};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
@@ -384,8 +384,8 @@ private:
         start_ = start;
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
-        Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        PhaseConstants<Wide> wide;
+        compute_phase_constants(eps, parameters, start, wide);
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
                 {theta_.build(theta_rates, wide.c_1, eps, reach), "theta"}, reach);

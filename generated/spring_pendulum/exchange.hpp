@@ -497,11 +497,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 2> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                compute_constants(of.eps_, Parameters{}, of.start_, c);
+                compute_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_11, c.c_11};
             }
             std::array<Wide, 2> operator()(const Wide& T) const {
@@ -627,8 +627,8 @@ private:
                                            std::array{"x", "y"}, reach, resonform::broad_layer_samples), reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Wide> wide;
-        compute_constants(eps, parameters, start, wide);
+        PhaseConstants<Wide> wide;
+        compute_phase_constants(eps, parameters, start, wide);
         const auto theta_1_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_1_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
                 {theta_1_.build(theta_1_rates, wide.c_11, eps, reach), "theta_1"}, reach);

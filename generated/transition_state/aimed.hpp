@@ -785,8 +785,8 @@ private:
         interval_ = Interval(eps, end);
         if (const Cause bad = begin(eps, parameters, start, constants_); bad.status != Status::ok) return bad;
         Real reach = end; // less where the domain ends before
-        Constants<Wide> wide;
-        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+        PhaseConstants<Wide> wide;
+        if (const Cause lost = keep_phase_constants(eps, parameters, start, wide); lost.status != Status::ok)
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(

@@ -1044,11 +1044,11 @@ private:
 
         template <class Wide> struct Phases {
             const Evaluator& of;
-            Constants<Wide> c;
+            PhaseConstants<Wide> c;
             std::array<Wide, 2> start;
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
-                keep_constants(of.eps_, Parameters{}, of.start_, c);
+                keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
                 start = {c.c_10, c.c_10};
             }
             std::array<Wide, 2> operator()(const Wide& T) const {
@@ -1159,8 +1159,8 @@ private:
                                            std::array{"b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "b/2 - I*sqrt(-b^2*w^2 + 4*w^4 - 4)/(2*w)", "psi", "w - 1", "-(b^2*w^2 - 4*w^4 + 4)", "w^2*(w^4 - 1)*sqrt(w - 1)*sqrt(w + 1)*sqrt(w^2 + 1)"}, reach), reach);
             failed.status != Status::ok)
             return failed;
-        Constants<Wide> wide;
-        if (const Cause lost = keep_constants(eps, parameters, start, wide); lost.status != Status::ok)
+        PhaseConstants<Wide> wide;
+        if (const Cause lost = keep_phase_constants(eps, parameters, start, wide); lost.status != Status::ok)
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T, widened<Wide>(look_up_1(static_cast<Real>(T))))}; };
         if (const Cause failed = interval_.shorten(

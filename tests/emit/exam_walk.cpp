@@ -32,21 +32,26 @@ struct Formula {
     }
 };
 
-constexpr std::size_t most_places = 20000;
+constexpr std::size_t most_places = 20000, most_numbers = 20000;
+
+std::vector<Ratio> ratios_of(const CppWalk& walk) {
+    const std::string none = "##$"; // 0, for those that are not there
+    std::string list = walk.numbers;
+    for (std::size_t k = walk.count; k < most_numbers; ++k) list += none;
+    const auto all = ratios<most_numbers>(list.c_str());
+    return {all.begin(), all.end()};
+}
 
 // The roots, where the symbols are `numbers`.
 template <int Digits>
 std::vector<double> walked(const CppWalk& walk, const std::vector<double>& inputs,
                            const std::vector<Value>& roots) {
     std::vector<double> places(most_places);
-    std::vector<Ratio> ratios;
-    for (const Rational& n : walk.numbers)
-        ratios.push_back({std::stoll(to_string(Rational(cln::numerator(n)))),
-                          std::stoll(to_string(Rational(cln::denominator(n))))});
+    const std::vector<Ratio> numbers = ratios_of(walk);
     for (std::size_t k = 0; k < inputs.size(); ++k) places[walk.inputs[k].second] = inputs[k];
     for (const std::string& text : walk.texts) {
         EXPECT_LT(text.size(), 65536U);
-        Walk<Digits, 0x7ff, double>(places.data(), ratios.data(), text.c_str()).run();
+        Walk<Digits, 0x7ff, double>(places.data(), numbers.data(), text.c_str()).run();
     }
     std::vector<double> result(roots.size());
     Walk<Digits, 0, double>(places.data(), nullptr, walk.list(roots).c_str()).copy_to(result);
@@ -201,6 +206,32 @@ TEST(Walk, LongSumsAndProductsAndManyPlaces) {
     for (std::size_t k = 0; k < found.size(); k += 100)
         EXPECT_NEAR(found[k], (static_cast<double>(k) + 2) * numbers[0] + 1 / (static_cast<double>(k) + 2),
                     1e-11);
+}
+
+// Its texts go no further; what others use of them, too, keeps its place.
+TEST(Walk, SomeRootsComeFirst) {
+    Formula f;
+    Graph& g = f.program.graph;
+    const Graph::Node x = f.symbol("x"), y = f.symbol("y");
+    const Graph::Node both = g.add({x, g.rational(2)});
+    const Graph::Node late = g.multiply({g.function(Op::sin, {both}), y});
+    const Graph::Node early = g.add({g.function(Op::cos, {both}), x});
+    StraightLine code(f.program);
+    const std::vector<Value> roots{code.lower(late), code.lower(early)};
+    const std::vector<Value> inputs{code.lower(x), code.lower(y)};
+    const auto walk =
+        cpp_walk(code, code.behind(roots, true), {inputs.begin(), inputs.end()}, roots, {roots[1]});
+    ASSERT_TRUE(walk);
+    ASSERT_EQ(walk->first_texts, 1U);
+    ASSERT_EQ(walk->texts.size(), 2U);
+    std::array<double, 20> places{};
+    for (const auto& [v, place] : walk->inputs) places[place] = v == inputs[0] ? 0.25 : 3;
+    const std::vector<Ratio> numbers = ratios_of(*walk);
+    Walk<2, 0x7ff, double>(places.data(), numbers.data(), walk->texts[0].c_str()).run();
+    EXPECT_NEAR(places[walk->place_of.at(roots[1])], std::cos(2.25) + 0.25, 1e-15);
+    Walk<2, 0x7ff, double>(places.data(), numbers.data(), walk->texts[1].c_str()).run();
+    EXPECT_NEAR(places[walk->place_of.at(roots[0])], 3 * std::sin(2.25), 1e-15);
+    EXPECT_NEAR(places[walk->place_of.at(roots[1])], std::cos(2.25) + 0.25, 1e-15);
 }
 
 // Places that nothing needs any more are used again.

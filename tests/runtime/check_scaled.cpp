@@ -175,4 +175,26 @@ TEST(ScaledDouble, WhatHasNoPlaceIsSaid) {
     EXPECT_STREQ(keep.cause.quantity, "first");
 }
 
+// Digits '#' and '$' are 0 and 1: two elements "a", one that is not kept, one "b".
+TEST(Scaled, ElementsOfAListAreKeptInRuns) {
+    const std::array names{"a", "b"};
+    std::array<double, 4> from{1, 2, 3, 4}, to{};
+    Keeper keep;
+    keep(from, to, names, "##%#%$#$$");
+    EXPECT_EQ(to, (std::array<double, 4>{1, 2, 0, 4}));
+    EXPECT_EQ(keep.cause.status, Status::ok);
+    from[2] = from[3] = HUGE_VAL;
+    keep(from, to, names, "##%#%$#$$");
+    EXPECT_EQ(keep.cause.status, Status::outside_domain);
+    EXPECT_STREQ(keep.cause.quantity, "b");
+}
+
+TEST(Scaled, TheFirstElementThatIsNotPositiveIsNamed) {
+    const std::array<double, 5> list{-1, 1, 2, 0, -3};
+    const Cause cause = first_not_positive(list, 1, std::array{"a", "b", "c", "d"});
+    EXPECT_EQ(cause.status, Status::outside_domain);
+    EXPECT_STREQ(cause.quantity, "c");
+    EXPECT_EQ(first_not_positive(list, 1, std::array{"a", "b"}).status, Status::ok);
+}
+
 } // namespace resonform

@@ -32,10 +32,10 @@ struct Made {
     Program program;
 };
 
-Made made(Scene scene) {
+Made made(Scene scene, int longest_formula = ProgramOptions().longest_formula) {
     Made m{std::move(scene), {}, {}};
     m.solution = test::solution_of(m.scene);
-    m.program = build_program(m.solution, m.scene, {true, false, true});
+    m.program = build_program(m.solution, m.scene, {true, false, true, {}, longest_formula});
     return m;
 }
 
@@ -110,16 +110,38 @@ TEST(SlowEmittedEqualsSymbolic, WhereManyPointsAreMadeOfAtoms) {
     }
 }
 
-// Three modes at order 5: thousands of statements, if they were statements.
+// Three modes at order 5: thousands of statements, if they were statements, whose points are formulas or sums
+// of rows.
 TEST(SlowEmittedEqualsSymbolic, WhereALoopWalksTheConstants) {
-    Scene scene = test::scene_of("three_oscillators_chain", "third_order");
-    scene.order = 5;
-    const Made m = made(std::move(scene));
-    ASSERT_TRUE(CppPlan(m.program).walks_constants());
-    const auto library = EvaluatorLibrary::build(m.program, cache(), {}, "dl");
-    const EmittedCheck check = check_emitted(m.program, library, m.solution, m.scene, {cache(), {}, 4, 10});
-    EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
-    EXPECT_LT(check.worst(), 4) << to_text(check);
+    for (const int longest_formula : {2000, 0}) {
+        Scene scene = test::scene_of("three_oscillators_chain", "third_order");
+        scene.order = 5;
+        const Made m = made(std::move(scene), longest_formula);
+        ASSERT_TRUE(CppPlan(m.program).walks_constants());
+        ASSERT_EQ(m.program.sums_rows, longest_formula == 0);
+        const auto library = EvaluatorLibrary::build(m.program, cache(), {}, "dl");
+        const EmittedCheck check =
+            check_emitted(m.program, library, m.solution, m.scene, {cache(), {}, 4, 10});
+        EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
+        EXPECT_LT(check.worst(), 4) << to_text(check);
+    }
+}
+
+// A quadrature, a condition at every time, a slow flow, exponentials, an output without rows that turn;
+// points one by one, too.
+TEST(SlowEmittedEqualsSymbolic, WhereOnePointIsASumOfRows) {
+    for (const auto& [system, name] :
+         {std::pair("almost_holonomic_pendulum", "third_order"), std::pair("henon_heiles", "third_order"),
+          std::pair("michaelis_menten", "from_no_complex"),
+          std::pair("nonholonomic_particle", "uniform_rise")}) {
+        Scene scene = test::scene_of(system, name);
+        if (std::string(system) == "henon_heiles") scene.form = EmitForm::direct;
+        const Made m = made(std::move(scene), 0);
+        ASSERT_TRUE(m.program.sums_rows);
+        const EmittedCheck check = checked(m);
+        EXPECT_EQ(check.verdict, Verdict::pass) << system << '\n' << to_text(check);
+        EXPECT_LT(check.worst(), check.threshold) << system << '\n' << to_text(check);
+    }
 }
 
 TEST(SlowEmittedEqualsSymbolic, HonestCodePassesClosedAndAsAFlow) {

@@ -71,13 +71,14 @@ std::string CppBegin::conditions() const {
 std::string CppBegin::print() const {
     return "    static Cause begin(const Real& eps, [[maybe_unused]] const Parameters& parameters,\n"
            "                       const Start& start, Constants<Real>& c) {\n" +
-           arguments() + cpp_constants_call(plan_, "c") + conditions() + "        return {};\n    }\n\n";
+           arguments() + cpp_constants_call(plan_, "constants", "c") + conditions() +
+           "        return {};\n    }\n\n";
 }
 
 } // namespace
 
-std::string cpp_constants_call(const CppPlan& plan, const std::string& target) {
-    const std::string call = fmt::format("constants(eps, parameters, start, {})", target);
+std::string cpp_constants_call(const CppPlan& plan, const std::string& which, const std::string& target) {
+    const std::string call = fmt::format("{}(eps, parameters, start, {})", which, target);
     if (plan.range.native) return "        compute_" + call + ";\n";
     return "        if (const Cause lost = keep_" + call +
            "; lost.status != Status::ok)\n            return lost;\n";

@@ -14,6 +14,6 @@ std::string cpp_begin(const CppPlan& plan);
 
 // The emitted call that computes the constants in the type of `target`; the code before it has checked the
 // arguments.
-std::string cpp_constants_call(const CppPlan& plan, const std::string& target);
+std::string cpp_constants_call(const CppPlan& plan, const std::string& which, const std::string& target);
 
 } // namespace resonform

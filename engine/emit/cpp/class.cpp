@@ -8,6 +8,7 @@
 #include "emit/cpp/interface.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/cpp/plan.hpp"
+#include "emit/cpp/rows.hpp"
 #include "emit/cpp/stages.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +39,6 @@ private:
     std::string unless_faded(std::size_t phase) const;
     std::string points() const;
     std::string rows() const;
-    std::string terms() const;
     std::string recipe() const;
     std::string rates() const;
     std::string flow(std::size_t level) const;
@@ -50,8 +50,15 @@ private:
     bool has_parameters() const { return !program_.parameters.empty() || !plan_.callables.empty(); }
     // For numbers that are computed when tables are built.
     std::string parameters() const { return has_parameters() ? "of.parameters_" : "Parameters{}"; }
-    std::string constants_function() const {
-        return plan_.range.native ? "compute_constants" : "keep_constants";
+    std::string constants_function(const std::string& which) const {
+        return (plan_.range.native ? "compute_" : "keep_") + which;
+    }
+    // What whole rates read.
+    std::string rate_constants() const {
+        return plan_.whole_rates_read_some() ? "phase_constants" : "constants";
+    }
+    std::string rate_constants_type() const {
+        return plan_.whole_rates_read_some() ? "PhaseConstants" : "Constants";
     }
     // Tables are kept in Real; what needs them takes them as they are.
     std::string widened_tables(const char* number, const char* of = "") const {
@@ -149,19 +156,6 @@ std::string CppFrame::points() const {
     return text + "    }\n\n";
 }
 
-// "{0, resonform::kernel::Wave::cosine, {1}}," for each row; an atom is an output of its own
-std::string CppFrame::terms() const {
-    static constexpr std::array waves{"one", "cosine", "sine"};
-    std::string text;
-    for (std::size_t k = 0; plan_.recipe && k < plan_.recipe->atoms.size(); ++k)
-        text += fmt::format("{}{{{}}},{}", k % 16 == 0 ? "            " : " ", k,
-                            k % 16 == 15 || k + 1 == plan_.recipe->atoms.size() ? "\n" : "");
-    for (const ProgramRow& row : program_.rows)
-        text += fmt::format("            {{{}, resonform::kernel::Wave::{}, {{{}}}}},\n", row.output,
-                            waves[static_cast<std::size_t>(row.wave)], fmt::join(row.turns, ", "));
-    return text;
-}
-
 // How the outputs are made of atoms.
 std::string CppFrame::recipe() const {
     static constexpr std::array kinds{"product",           "scaled",     "sum",
@@ -191,7 +185,8 @@ std::string CppFrame::rates() const {
         list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k], tables));
     }
     return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
-                                  {"constants", constants_function()},
+                                  {"constants", constants_function(rate_constants())},
+                                  {"Constants", rate_constants_type()},
                                   {"parameters", parameters()},
                                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                   {"rates", fmt::format("{}", fmt::join(list, ", "))}});
@@ -207,11 +202,11 @@ std::string CppFrame::rows() const {
          {"decays", decays == 0 ? "" : fmt::format("decays = {}, ", decays)},
          {"outputs", std::to_string(plan_.outputs.size())},
          {"rows", std::to_string(plan_.tabulated().size())},
-         {"terms", terms()},
+         {"terms", cpp_terms(plan_)},
          {"recipe", recipe()},
          {"what", plan_.recipe ? "The outputs by operations on atoms and turned modes"
                                : "The outputs as sums of rows: amplitudes times 1, cosines and sines"},
-         {"constants", constants_function()},
+         {"constants", constants_function("constants")},
          {"parameters", parameters()},
          {"tables", plan_.levels.empty() ? "" : ", " + widened_tables("Fine", "of.")},
          {"rates", rates()},
@@ -291,7 +286,8 @@ std::string CppFrame::construct() const {
             plan_.levels[level].name);
     }
     if (!program_.phases.empty())
-        text += "        Constants<Wide> wide;\n" + cpp_constants_call(plan_, "wide");
+        text += fmt::format("        {}<Wide> wide;\n", rate_constants_type()) +
+                cpp_constants_call(plan_, rate_constants(), "wide");
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);

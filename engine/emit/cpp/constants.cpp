@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/cpp/constants.hpp"
 
+#include "emit/cpp/digits.hpp"
 #include "emit/cpp/embedded_text.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
@@ -9,6 +10,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
 
 namespace resonform {
 
@@ -22,24 +26,28 @@ public:
 
     // What the conditions use is lowered before.
     std::string print() {
-        const std::string text = constants() + kept_constants() + phase_constants() + start_conditions();
+        std::string text = constants();
+        text += kept_constants() + phase_constants() + start_conditions();
         return differences() + text;
     }
 
 private:
     void know_arguments(CppFunction& function);
-    static std::string from_arguments(const CppFunction& function, const std::string& result,
-                                      const std::string& name, const std::string& target,
-                                      const std::vector<std::string>& last = {});
+    static CppFunction::Frame from_arguments(const std::string& result, const std::string& name,
+                                             const std::string& target,
+                                             const std::vector<std::string>& last = {});
     [[nodiscard]] std::string differences() const;
     std::string constants();
     std::string kept_constants() const;
     std::vector<std::string> kept_lines() const;
+    std::string required_positive() const;
     std::string phase_constants();
     std::string start_conditions();
 
     const Program& program_;
     CppPlan& plan_;
+    static constexpr const char* constants_name = "compute_constants";
+    std::optional<CppFunction> walked_; // it, if a loop walks it
 };
 
 void CppConstants::know_arguments(CppFunction& function) {
@@ -53,9 +61,9 @@ void CppConstants::know_arguments(CppFunction& function) {
 }
 
 // `result name(arguments, target c)`, without a c if there is no target.
-std::string CppConstants::from_arguments(const CppFunction& function, const std::string& result,
-                                         const std::string& name, const std::string& target,
-                                         const std::vector<std::string>& last) {
+CppFunction::Frame CppConstants::from_arguments(const std::string& result, const std::string& name,
+                                                const std::string& target,
+                                                const std::vector<std::string>& last) {
     CppFunction::Frame frame{
         "template <class Number> static",
         result,
@@ -64,7 +72,7 @@ std::string CppConstants::from_arguments(const CppFunction& function, const std:
         {},
         last};
     if (!target.empty()) frame.parameters.emplace_back(target, "c");
-    return function.print(frame) + "\n";
+    return frame;
 }
 
 // Differences of start values and where a state rests, in the type that is asked for.
@@ -110,36 +118,75 @@ std::string CppConstants::constants() {
     if (plan_.walks_constants()) {
         text += fmt::format("        std::array<Number, {}> {};\n", plan_.listed.size(), plan_.list_name);
         function.assign(plan_.listed, fmt::format("c.{}", plan_.list_name));
-        if (plan_.lies == nullptr) function.walk(); // lies are planted in statements
+        if (plan_.lies == nullptr) function.walk(plan_.phase_constants); // lies are planted in statements
     }
     function.compute(roots, true);
+    if (function.is_walked()) walked_ = function;
     for (const CppCallable& callable : plan_.callables)
         function.begin_with("c." + callable.name, "parameters." + callable.name);
-    return text + "    };\n\n" + from_arguments(function, "void", "compute_constants", "Constants<Number>&");
+    return text + "    };\n\n" +
+           function.print(from_arguments("void", constants_name, "Constants<Number>&")) + "\n";
 }
 
-// One a constant; elements of the array that are named alike have one together.
+// One a constant, but elements of the array have one together.
 std::vector<std::string> CppConstants::kept_lines() const {
-    std::vector<std::string> lines;
-    for (std::size_t k = 0, next = 0; k < plan_.kept.size(); k = next) {
-        const auto& [value, reader] = plan_.kept[k];
-        next = k + 1;
-        const auto place = std::lower_bound(plan_.listed.begin(), plan_.listed.end(), value);
-        if (place == plan_.listed.end() || *place != value) {
+    constexpr std::ptrdiff_t longest_run = digit_base - 1;
+    std::vector<std::string> lines, readers;
+    std::map<Value, std::size_t> listed; // and the places of their readers
+    for (const auto& [value, reader] : plan_.kept) {
+        if (!std::binary_search(plan_.listed.begin(), plan_.listed.end(), value)) {
             lines.push_back(fmt::format("        keep(from.{0}, c.{0}, {1});\n", plan_.members.at(value),
                                         cpp_literal(reader)));
             continue;
         }
-        auto end = place + 1;
-        for (; next < plan_.kept.size() && end != plan_.listed.end() &&
-               plan_.kept[next] == std::pair{*end, reader};
-             ++next)
-            ++end;
-        lines.push_back(fmt::format("        keep(from.{0}, c.{0}, {1}, {2}, {3});\n", plan_.list_name,
-                                    place - plan_.listed.begin(), end - plan_.listed.begin(),
-                                    cpp_literal(reader)));
+        auto known = std::find(readers.begin(), readers.end(), reader);
+        listed[value] = static_cast<std::size_t>(known - readers.begin());
+        if (known == readers.end()) readers.push_back(reader);
     }
+    if (listed.empty()) return lines;
+    std::string runs;
+    for (auto v = plan_.listed.begin(); v != plan_.listed.end();) {
+        const auto reader = [&](Value value) {
+            const auto found = listed.find(value);
+            return found == listed.end() ? readers.size() : found->second;
+        };
+        const auto end =
+            std::find_if(v, v + std::min<std::ptrdiff_t>(plan_.listed.end() - v, longest_run),
+                         [&, first = reader(*v)](Value value) { return reader(value) != first; });
+        runs += in_digits(reader(*v), 2) + digit(static_cast<std::size_t>(end - v));
+        v = end;
+    }
+    for (std::string& reader : readers) reader = cpp_literal(reader);
+    lines.push_back(fmt::format("        keep(from.{0}, c.{0}, std::array{{{1}}},\n{2});\n", plan_.list_name,
+                                fmt::join(readers, ", "), literal_lines(runs)));
     return lines;
+}
+
+// Those that are elements of the array one after the other take one call.
+std::string CppConstants::required_positive() const {
+    constexpr std::size_t many = 4;
+    const std::vector<CppCondition>& conditions = plan_.constant_conditions;
+    std::string text;
+    for (std::size_t k = 0, next = 0; k < conditions.size(); k = next) {
+        const auto listed = std::lower_bound(plan_.listed.begin(), plan_.listed.end(), conditions[k].value);
+        next = k;
+        for (auto v = listed;
+             v != plan_.listed.end() && next < conditions.size() && *v == conditions[next].value; ++v)
+            ++next;
+        if (next < k + many) {
+            text += fmt::format("        if (!(from.{} > From(0))) return {{Status::outside_domain, {}}};\n",
+                                plan_.members.at(conditions[k].value), cpp_literal(conditions[k].quantity));
+            next = k + 1;
+            continue;
+        }
+        std::vector<std::string> names;
+        for (std::size_t j = k; j < next; ++j) names.push_back(cpp_literal(conditions[j].quantity));
+        text += fmt::format(
+            "        if (const Cause bad = resonform::first_not_positive(from.{}, {}, std::array{{\n"
+            "                {}}}); bad.status != Status::ok) return bad;\n",
+            plan_.list_name, listed - plan_.listed.begin(), fmt::join(names, ",\n                "));
+    }
+    return text;
 }
 
 // For powers of arguments that may leave the range of Number: where they do, all constants are computed in
@@ -162,10 +209,8 @@ std::string CppConstants::kept_constants() const {
         text += "    }\n\n";
         calls += fmt::format("        {}(from, c, keep);\n", name);
     }
-    text += "    // What has no place in Number is the answer.\n" + head("Cause", "keep", "");
-    for (const CppCondition& condition : plan_.constant_conditions)
-        text += fmt::format("        if (!(from.{} > From(0))) return {{Status::outside_domain, {}}};\n",
-                            plan_.members.at(condition.value), cpp_literal(condition.quantity));
+    text += "    // What has no place in Number is the answer.\n" + head("Cause", "keep", "") +
+            required_positive();
     for (const CppCallable& callable : plan_.callables)
         text += fmt::format("        c.{0} = from.{0};\n", callable.name);
     return text + "        resonform::Keeper keep;\n" + calls + "        return keep.cause;\n    }\n\n" +
@@ -179,17 +224,19 @@ std::string CppConstants::phase_constants() {
     CppFunction function(plan_.code, "Number", "k", plan_.lies);
     know_arguments(function);
     std::string fields, copies;
+    CppFunction::Frame frame = from_arguments("void", "compute_phase_constants", "PhaseConstants<Number>&");
     for (const Value v : plan_.phase_constants) {
         const std::string& name = plan_.members.at(v);
         fields += fmt::format("        Number {};\n", name);
         copies += fmt::format("            c.{0} = all.{0};\n", name);
         function.assign(v, "c." + name);
+        if (walked_) frame.last.push_back(fmt::format("c.{} = {};", name, walked_->text(v)));
     }
-    function.compute(plan_.phase_constants, true);
+    if (!walked_) function.compute(plan_.phase_constants, true);
     return "    // Those that phases need in more digits than Real has.\n"
            "    template <class Number> struct PhaseConstants {\n" +
            fields + "    };\n\n" +
-           from_arguments(function, "void", "compute_phase_constants", "PhaseConstants<Number>&") +
+           (walked_ ? walked_->print_first(frame, constants_name) : function.print(frame)) + "\n" +
            (plan_.range.native ? "" : filled(frames::keep_phase_constants, {{"copies", copies}}));
 }
 
@@ -206,8 +253,10 @@ std::string CppConstants::start_conditions() {
     std::vector<std::string> texts;
     for (const Value condition : conditions) texts.push_back("Number(" + function.text(condition) + ")");
     return "    // All > 0, or the solution does not start where its map is close to the identity.\n" +
-           from_arguments(function, fmt::format("std::array<Number, {}>", texts.size()), "start_conditions",
-                          "", {fmt::format("return {{{}}};", fmt::join(texts, ", "))});
+           function.print(from_arguments(fmt::format("std::array<Number, {}>", texts.size()),
+                                         "start_conditions", "",
+                                         {fmt::format("return {{{}}};", fmt::join(texts, ", "))})) +
+           "\n";
 }
 
 } // namespace

@@ -36,12 +36,12 @@ std::string in_comment(const std::string& text) {
 // How batch and grid compute them.
 std::string many_points(const Program& program) {
     const auto& [tables, atoms, direct] = program.operations_by_form;
-    std::string text = program.from_atoms     ? "from tabulated atoms"
-                       : program.rows.empty() ? "one by one"
-                                              : fmt::format("from tables of {} rows", program.rows.size());
+    const bool from_atoms = program.many_points == EmitForm::atoms;
+    std::string text = from_atoms             ? "from tabulated atoms"
+                       : program.has_tables() ? fmt::format("from tables of {} rows", program.rows.size())
+                                              : "one by one";
     std::vector<std::string> counts;
-    if (tables)
-        counts.push_back(fmt::format("{} operations{}", *tables, program.from_atoms ? " from rows" : ""));
+    if (tables) counts.push_back(fmt::format("{} operations{}", *tables, from_atoms ? " from rows" : ""));
     if (atoms) counts.push_back(fmt::format("{} from atoms", *atoms));
     if (!counts.empty()) text += fmt::format(" ({}, {} one by one)", fmt::join(counts, ", "), direct);
     return text + (program.form_reason.empty() ? "" : ": " + program.form_reason);
@@ -59,6 +59,7 @@ std::string banner(const Program& program) {
                     to_string(program.weight(program.order)), to_string(program.weight(program.truncation)));
     text += fmt::format("//   operations  {}\n//   written out {}\n", counts(program.after),
                         counts(program.before));
+    if (program.sums_rows) text += fmt::format("//   one point   the sum of {} rows\n", program.rows.size());
     text += fmt::format("//   many points {}\n//\n", many_points(program));
     for (const std::string& note : program.notes) text += fmt::format("// {}\n", in_comment(note));
     return text;
@@ -81,6 +82,7 @@ void add_headers(const Program& program, std::set<std::string>& names) {
     add(!std::all_of(phases.begin(), phases.end(), decay), "phase");
     add(!program.has_tables(), "points");
     add(plan.uses_scaled(), "scaled");
+    add(program.sums_rows, "rows");
     add(!cpp_data_tables(program).empty(), "spline");
     add(!program.tables.empty(), "table");
     add(program.has_tables(), "tabulated");

@@ -2,6 +2,7 @@
 #include "emit/cpp/function.hpp"
 
 #include "algebra/number/binary_parts.hpp"
+#include "emit/cpp/digits.hpp"
 #include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/graph/graph.hpp"
@@ -29,7 +30,7 @@ std::string integer_text(const std::string& type, const Integer& n) {
     return fmt::format("{}({}{})", type, to_string(Rational(n)), n < (Integer(1) << 31) ? "" : "LL");
 }
 
-using Parameters = std::vector<std::pair<std::string, std::string>>;
+using Parameters = CppFunction::Parameters;
 
 bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
@@ -83,28 +84,6 @@ bool is_modulus_of_real(const StraightLine& code, const StraightLine::Instructio
     return second.op == StraightLine::Op::number && second.number == 0;
 }
 
-// A text as literals, one a line.
-std::string literal_lines(const std::string& text) {
-    constexpr std::size_t longest = 240;
-    std::string lines;
-    for (std::size_t k = 0; k < text.size(); k += longest)
-        lines += fmt::format("{}\"{}\"", k == 0 ? "" : "\n", text.substr(k, longest));
-    return lines;
-}
-
-std::string ratio_lines(const std::vector<Rational>& numbers) {
-    std::string lines, line;
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-        line += fmt::format("{{{},{}}}", to_string(Rational(cln::numerator(numbers[k]))),
-                            to_string(Rational(cln::denominator(numbers[k]))));
-        line += ",";
-        if (line.size() < 220 && k + 1 < numbers.size()) continue;
-        lines += line + "\n";
-        line.clear();
-    }
-    return lines;
-}
-
 std::string names_of(const Parameters& parameters) {
     std::vector<std::string> names;
     for (const auto& parameter : parameters) names.push_back(parameter.second);
@@ -144,7 +123,7 @@ bool CppFunction::walk(const std::vector<Value>& order, const std::vector<Value>
     std::set<Value> known;
     for (const auto& [v, text] : texts_) known.insert(v);
     for (const auto& [v, wish] : given_) known.insert(v);
-    walk_ = cpp_walk(*code_, order, known, roots);
+    walk_ = cpp_walk(*code_, order, known, roots, first_);
     if (!walk_) return false;
     for (const auto& [v, place] : walk_->inputs) {
         const auto known = texts_.find(v);
@@ -205,7 +184,7 @@ std::string CppFunction::planted(const std::string& text) const {
 
 CppFunction::Text CppFunction::number(const Rational& value) const {
     const Integer numerator = cln::numerator(value), denominator = cln::denominator(value);
-    if (!is_short(numerator) || !is_short(denominator)) {
+    if (!is_short(value)) {
         const BinaryParts binary = binary_parts(value);
         const std::string exponent = binary.exponent == 0 ? "" : fmt::format(", {}", binary.exponent);
         return {fmt::format("resonform::math::number<{}>({{{}}}{})", type_, fmt::join(binary.parts, ", "),
@@ -336,11 +315,8 @@ std::string CppFunction::print(const Frame& frame) const {
     };
     std::string before, body = statement_lines(0, statements_.size(), {});
     if (walk_) {
-        before = fmt::format(
-            "    static constexpr std::array<resonform::Ratio, {}> {}_numbers{{{{\n{}    }}}};\n\n",
-            walk_->numbers.size(), frame.name, ratio_lines(walk_->numbers));
-        body = fmt::format("        std::array<{}, {}> w;\n", type_, walk_->places) + body +
-               walk_lines(frame.name);
+        before = walking(frame);
+        body = walk_call(frame.name, frame.parameters, walk_->texts.size()) + copies_of_walk();
     } else if (in_pieces_) {
         const bool is_template = frame.head.find("template") != std::string::npos;
         const std::string work = frame.name + "_quantities" + (is_template ? "<Number>" : "");
@@ -363,13 +339,51 @@ std::string CppFunction::print(const Frame& frame) const {
                                   frame.parameters, lines(frame.first) + body + lines(frame.last));
 }
 
-// The statements that run the walk and copy its results to where they belong.
-std::string CppFunction::walk_lines(const std::string& function) const {
+std::string CppFunction::print_first(const Frame& frame, const std::string& walked) const {
+    std::string last;
+    for (const std::string& line : frame.last) last += "        " + line + "\n";
+    return function_text(fmt::format("{} {} {}", frame.head, frame.result, frame.name), frame.parameters,
+                         walk_call(walked, frame.parameters, walk_->first_texts) + last);
+}
+
+// Of a function's parameters, those that its walk begins with.
+Parameters CppFunction::inputs_of_walk(Parameters parameters) const {
+    const std::string inputs = statement_lines(0, statements_.size(), {});
+    std::erase_if(parameters, [&](const auto& parameter) { return !mentions(inputs, parameter.second); });
+    return parameters;
+}
+
+// The texts of the walk, and the function that runs the first of them.
+std::string CppFunction::walking(const Frame& frame) const {
     std::vector<std::string> texts;
     for (const std::string& text : walk_->texts) texts.push_back(literal_lines(text));
-    std::string text = fmt::format("        for (const char* text : {{\n{}}})\n            "
-                                   "resonform::Walk<{}, {}, {}>(w.data(), {}_numbers.data(), text).run();\n",
-                                   fmt::join(texts, ",\n"), walk_->digits, walk_->functions, type_, function);
+    Parameters parameters = inputs_of_walk(frame.parameters);
+    parameters.emplace_back(fmt::format("std::array<{}, {}>&", type_, walk_->places), "w");
+    parameters.emplace_back("std::size_t", "texts");
+    return fmt::format("    static constexpr auto {0}_numbers = resonform::ratios<{1}>(\n{2});\n"
+                       "    static constexpr std::array {0}_texts{{\n{3}}};\n",
+                       frame.name, walk_->count, literal_lines(walk_->numbers), fmt::join(texts, ",\n")) +
+           function_text(
+               fmt::format("{} void {}_walk", frame.head, frame.name), parameters,
+               statement_lines(0, statements_.size(), {}) +
+                   fmt::format("        for (std::size_t k = 0; k < texts; ++k)\n"
+                               "            resonform::Walk<{0}, {1}, {2}>(w.data(), {3}_numbers.data(), "
+                               "{3}_texts[k]).run();\n",
+                               walk_->digits, walk_->functions, type_, frame.name)) +
+           "\n";
+}
+
+std::string CppFunction::walk_call(const std::string& function, const Parameters& parameters,
+                                   std::size_t texts) const {
+    std::string arguments;
+    for (const auto& parameter : inputs_of_walk(parameters)) arguments += parameter.second + ", ";
+    return fmt::format("        std::array<{}, {}> w;\n        {}_walk({}w, {});\n", type_, walk_->places,
+                       function, arguments, texts);
+}
+
+// The statements that copy the results of a walk to where they belong.
+std::string CppFunction::copies_of_walk() const {
+    std::string text;
     std::set<Value> listed;
     for (const auto& [list, array] : lists_) {
         text += fmt::format("        resonform::Walk<{}, {}, {}>(w.data(), nullptr,\n{}).copy_to({});\n",

@@ -48,8 +48,13 @@ public:
     }
     // Values to be assigned to the elements of an array, in this order.
     void assign(const std::vector<StraightLine::Value>& list, const std::string& array);
-    // Too long for statements: a loop walks it, if there are neither data nor callables.
-    void walk() { may_walk_ = true; }
+    // Too long for statements: a loop walks it, if there are neither data nor callables; at first to some of
+    // the roots.
+    void walk(std::vector<StraightLine::Value> first = {}) {
+        may_walk_ = true;
+        first_ = std::move(first);
+    }
+    [[nodiscard]] bool is_walked() const { return walk_.has_value(); }
     // Callables are members of `object`.
     void call_through(const std::string& object) { callables_in_ = object; }
 
@@ -60,13 +65,16 @@ public:
 
     // The function `result name(parameters)`: its statements, then `last` (lines). With many statements,
     // local quantities become members of a struct and the pieces functions before it.
+    using Parameters = std::vector<std::pair<std::string, std::string>>; // type, name
     struct Frame {
-        std::string head;                                            // "template <class Number> static"
-        std::string result, name;                                    // "Status", "outputs"
-        std::vector<std::pair<std::string, std::string>> parameters; // type, name
-        std::vector<std::string> first, last;                        // lines around the statements
+        std::string head;         // "template <class Number> static"
+        std::string result, name; // "Status", "outputs"
+        Parameters parameters;
+        std::vector<std::string> first, last; // lines around the statements
     };
     [[nodiscard]] std::string print(const Frame& frame) const;
+    // Of a function that is walked: another one, whose statements walk to what comes first and no further.
+    [[nodiscard]] std::string print_first(const Frame& frame, const std::string& walked) const;
 
 private:
     enum class Level { sum, product, atom };
@@ -94,7 +102,11 @@ private:
     [[nodiscard]] std::string statement_lines(std::size_t begin, std::size_t end,
                                               const std::set<std::string>& passed_on) const;
     [[nodiscard]] std::set<std::string> passed_on(const std::vector<std::string>& last) const;
-    [[nodiscard]] std::string walk_lines(const std::string& function) const;
+    [[nodiscard]] std::string walking(const Frame& frame) const;
+    [[nodiscard]] std::string walk_call(const std::string& function, const Parameters& parameters,
+                                        std::size_t texts) const;
+    [[nodiscard]] Parameters inputs_of_walk(Parameters parameters) const;
+    [[nodiscard]] std::string copies_of_walk() const;
     [[nodiscard]] std::string quantities(const std::string& name, bool is_template,
                                          const std::set<std::string>& passed_on) const;
 
@@ -104,6 +116,7 @@ private:
     std::string callables_in_ = "c";
     CppNames names_;
     bool in_pieces_ = false, may_walk_ = false;
+    std::vector<StraightLine::Value> first_;
     std::optional<CppWalk> walk_;
     std::vector<std::pair<std::vector<StraightLine::Value>, std::string>> lists_; // and the arrays for them
     std::map<StraightLine::Value, Text> texts_;

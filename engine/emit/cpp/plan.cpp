@@ -203,7 +203,7 @@ void CppPlan::lower_results() {
     state = results(program->state);
     for (const ProgramData& data : program->data) data_arguments.push_back(code.lower(data.argument));
     for (const ProgramRow& row : program->rows) rows.push_back({&row, code.lower(row.amplitude)});
-    if (program->from_atoms) recipe = recipe_of(*program, code);
+    if (program->many_points == EmitForm::atoms) recipe = recipe_of(*program, code);
     for (const ProgramCondition& condition : program->positive) {
         const Value v = code.lower(condition.value);
         (code.at(v).varying ? varying_conditions : constant_conditions).push_back({v, condition.quantity});
@@ -251,8 +251,9 @@ std::vector<Value> CppPlan::roots() const {
     for (const std::vector<Value>& either : precisions) all.insert(all.end(), either.begin(), either.end());
     for (const std::vector<CppCondition>* conditions : {&varying_conditions, &layers})
         for (const CppCondition& condition : *conditions) all.push_back(condition.value);
-    for (const std::vector<CppResult>* results : {&outputs, &state})
-        for (const CppResult& result : *results) all.push_back(result.value);
+    if (!program->sums_rows)
+        for (const CppResult& result : outputs) all.push_back(result.value);
+    for (const CppResult& result : state) all.push_back(result.value);
     for (const Value v : tabulated()) all.push_back(v);
     if (recipe) all.insert(all.end(), recipe->constants.begin(), recipe->constants.end());
     return all;
@@ -295,10 +296,11 @@ void CppPlan::find_members(bool conditions) {
     listed.clear();
     const bool in_array = is_long(constants);
     if (in_array) names.unique(list_name);
+    const std::vector<Value> apart = read_by_phases();
     for (const Value v : constants) {
         const StraightLine::Instruction& i = code.at(v);
         const std::string wish = i.op == StraightLine::Op::symbol ? inputs.at(i.symbol) : i.label;
-        if (!wish.empty() || !in_array) {
+        if (!wish.empty() || !in_array || std::binary_search(apart.begin(), apart.end(), v)) {
             members[v] = wish.empty() ? names.numbered("c") : names.unique(wish);
             continue;
         }
@@ -362,15 +364,23 @@ void CppPlan::name_kept() {
     }
 }
 
-void CppPlan::find_phase_constants() {
-    if (program->phases.empty() || walks_constants() || !program->data.empty() || !callables.empty()) return;
-    std::vector<Value> read = phase_starts, all, some;
+// In more digits than Real has.
+std::vector<Value> CppPlan::read_by_phases() const {
+    std::vector<Value> read = phase_starts;
     for (std::size_t k = 0; k < phase_rates.size(); ++k)
         read.push_back(divides_rates(true) ? divided_rates[k]->main : phase_rates[k]);
+    return code.behind_doubled(read, false);
+}
+
+void CppPlan::find_phase_constants() {
+    if (program->phases.empty() || !program->data.empty() || !callables.empty()) return;
+    std::vector<Value> all, some;
     for (const auto& member : members) all.push_back(member.first);
-    for (const Value v : code.behind_doubled(read, false))
+    for (const Value v : read_by_phases())
         if (members.count(v) != 0) some.push_back(v);
-    const bool much_less = 2 * code.behind(some, true).size() < code.behind(all, true).size();
+    // Of constants that a loop walks they are the first, and cost no text.
+    const std::size_t as_few = walks_constants() ? 1 : 2;
+    const bool much_less = as_few * code.behind(some, true).size() < code.behind(all, true).size();
     if (much_less) phase_constants = some;
 }
 

@@ -94,8 +94,8 @@ struct CppPlan {
     // The constant conditions are no members: these are native, and they would not be.
     bool conditions_apart = false;
     [[nodiscard]] bool uses_scaled() const { return !range.native || !native_defaults || conditions_apart; }
-    // Members that phases read at a final point in more digits than Real has, main parts of their rates where
-    // all are divided, if to compute these alone is much less. Ascending.
+    // Members that phases read in more digits than Real has, main parts of their rates where all are divided,
+    // if to compute these alone is much less. Ascending.
     std::vector<StraightLine::Value> phase_constants;
     // Which type reads those alone: each that is not Real, if whole rates do, or those that rates are divided
     // for.
@@ -114,8 +114,7 @@ struct CppPlan {
         Graph::Node value;
     };
     [[nodiscard]] std::vector<Column> columns() const;
-    // What is tabulated for many points: amplitudes of the rows, or atoms. Empty: they are computed one by
-    // one.
+    // What is tabulated for many points or summed at one: amplitudes of the rows, or atoms.
     [[nodiscard]] std::vector<StraightLine::Value> tabulated() const;
     // Names of the arguments that outputs of many points are stored in.
     [[nodiscard]] std::vector<std::string> output_arrays() const;
@@ -144,6 +143,7 @@ private:
     [[nodiscard]] bool is_long(const std::vector<StraightLine::Value>& constants) const;
     void find_ranges();
     void name_kept();
+    [[nodiscard]] std::vector<StraightLine::Value> read_by_phases() const;
     void find_phase_constants();
     void find_callables(const std::vector<CppCallable>& beside);
     [[nodiscard]] CppNames names_beside_callables() const;

@@ -5,11 +5,13 @@
 #include "emit/cpp/data.hpp"
 #include "emit/cpp/function.hpp"
 #include "emit/cpp/names.hpp"
+#include "emit/cpp/rows.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace resonform {
 
@@ -23,7 +25,8 @@ public:
 
     std::string print() {
         return cpp_constants(plan_) + cpp_data_edges(plan_) + flow_rates() + layers() + integrands() +
-               phase_rates() + arguments() + evaluation("outputs", "Values", plan_.outputs) +
+               phase_rates() + arguments() + cpp_row_list(plan_) +
+               evaluation("outputs", "Values", plan_.outputs, program_.sums_rows) +
                evaluation("states", "State", plan_.state) + passes() + amplitudes() + recipe_constants();
     }
 
@@ -36,7 +39,7 @@ private:
     std::string rate_of(Value rate, const std::string& name, bool uses_tables, bool some);
     std::string arguments() const;
     std::string evaluation(const std::string& name, const std::string& type,
-                           const std::vector<CppResult>& list);
+                           const std::vector<CppResult>& list, bool from_rows = false);
     std::string passes();
     void know_call(CppFunction& function);
     std::string amplitudes();
@@ -233,13 +236,14 @@ std::string CppStages::passes() {
 }
 
 std::string CppStages::evaluation(const std::string& name, const std::string& type,
-                                  const std::vector<CppResult>& list) {
+                                  const std::vector<CppResult>& list, bool from_rows) {
     if (list.empty()) return "";
     CppFunction function(plan_.code, "Real", "q", plan_.lies);
     know_call(function);
     std::vector<Value> roots;
     for (const CppCondition& condition : plan_.varying_conditions) roots.push_back(condition.value);
-    for (const CppResult& result : list) roots.push_back(result.value);
+    if (!from_rows)
+        for (const CppResult& result : list) roots.push_back(result.value);
     function.compute(roots, false);
 
     CppFunction::Frame frame{
@@ -249,10 +253,13 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
     for (const CppCondition& condition : plan_.varying_conditions)
         frame.last.push_back(fmt::format("if (!({} > Real(0))) return Status::outside_domain;",
                                          function.text(condition.value)));
+    if (from_rows)
+        for (std::string& line : cpp_sums(plan_)) frame.last.push_back(std::move(line));
     std::vector<std::string> finite;
-    for (const CppResult& result : list) {
-        frame.last.push_back(fmt::format("values.{} = {};", result.name, function.text(result.value)));
-        finite.push_back(fmt::format("finite(values.{})", result.name));
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        const std::string text = from_rows ? fmt::format("sums[{}]", k) : function.text(list[k].value);
+        frame.last.push_back(fmt::format("values.{} = {};", list[k].name, text));
+        finite.push_back(fmt::format("finite(values.{})", list[k].name));
     }
     frame.last.push_back(
         fmt::format("return {} ? Status::ok : Status::overflow;", fmt::join(finite, " && ")));
@@ -261,7 +268,7 @@ std::string CppStages::evaluation(const std::string& name, const std::string& ty
 
 std::string CppStages::amplitudes() {
     const std::vector<Value> tabulated = plan_.tabulated();
-    if (!program_.has_tables()) return "";
+    if (!program_.has_tables() && !program_.sums_rows) return "";
     CppFunction function(plan_.code, "Number", "q", plan_.lies);
     know_members(function);
     function.know(plan_.code.lower(program_.slow_time), "T");
@@ -290,7 +297,8 @@ std::string CppStages::amplitudes() {
         frame.last.emplace_back("none.fill(resonform::math::not_a_number<Number>());");
         frame.last.push_back(fmt::format("if (!({})) return none;", fmt::join(conditions, " && ")));
     }
-    frame.last.push_back(fmt::format("return {{{}}};", fmt::join(texts, ", ")));
+    for (std::string& line : cpp_return_list(plan_, type, tabulated, texts))
+        frame.last.push_back(std::move(line));
     return "    // Of the rows; NaN outside of the domain.\n" + function.print(frame) + "\n";
 }
 

@@ -286,7 +286,7 @@ Program build_program(const Solution& solution, const Scene& scene, const Progra
     if (!solution.system().source.empty()) program.notes.push_back("source: " + solution.system().source);
     program.before = count_written_out(without_savings(solution, scene));
     program.after = count_operations(program);
-    if (wanted.rows) choose_form(program, scene.form, scene.form_place);
+    if (wanted.rows) choose_form(program, scene.form, scene.form_place, options.longest_formula);
     return program;
 }
 

@@ -4,6 +4,7 @@
 #include "algebra/number/error.hpp"
 #include "emit/program/prune.hpp"
 #include "emit/program/recipe.hpp"
+#include "emit/program/straight_line.hpp"
 
 #include <fmt/format.h>
 
@@ -108,6 +109,17 @@ std::optional<int> operations_on_atoms(const Program& program) {
                             phase * program.phases.size());
 }
 
+void sum_rows_of_long_formula(Program& program, bool possible, int longest) {
+    constexpr long long longer = 4;              // sums than formulas
+    constexpr std::size_t most_harmonics = 4000; // that two digits tell (emit/cpp/rows.hpp)
+    const auto all = [](const OperationCount& count) { return 1LL * count.add + count.multiply; };
+    if (!possible || all(program.after) <= longest || harmonics_of(program).size() > most_harmonics) return;
+    program.sums_rows = true;
+    const OperationCount of_sums = count_operations(program);
+    program.sums_rows = all(of_sums) < longer * all(program.after);
+    if (program.sums_rows) program.after = of_sums;
+}
+
 } // namespace
 
 OperationCount count_written_out(const Program& program) {
@@ -133,7 +145,7 @@ OperationCount count_written_out(const Program& program) {
             clamped(sum[angles]), clamped(sum[others]),   clamped(sum[lookups])};
 }
 
-void choose_form(Program& program, EmitForm wish, const Place& place) {
+void choose_form(Program& program, EmitForm wish, const Place& place, int longest) {
     OperationsByForm& counts = program.operations_by_form;
     counts.direct = direct_operations(program);
     const bool possible = !program.rows.empty();
@@ -158,12 +170,14 @@ void choose_form(Program& program, EmitForm wish, const Place& place) {
         return wish == form || (wish == EmitForm::automatic && count && *count < as_long * counts.direct);
     };
     const bool tables = takes(EmitForm::tables, counts.tables, of_tables);
-    program.from_atoms = !tables && takes(EmitForm::atoms, counts.atoms, of_atoms);
+    const bool atoms = !tables && takes(EmitForm::atoms, counts.atoms, of_atoms);
+    program.many_points = tables ? EmitForm::tables : atoms ? EmitForm::atoms : EmitForm::direct;
     if (wish != EmitForm::automatic)
         program.form_reason = "as the scene wants it";
-    else if (!large.empty() && !program.from_atoms)
+    else if (!large.empty() && !atoms)
         program.form_reason = large;
-    if (!tables) program.rows.clear();
+    sum_rows_of_long_formula(program, possible && !atoms && !program.phases.empty(), longest);
+    if (!tables && !program.sums_rows) program.rows.clear();
 }
 
 } // namespace resonform

@@ -11,8 +11,9 @@ namespace resonform {
 // or a sine counts as one look-up or one sincos each time.
 OperationCount count_written_out(const Program& program);
 
-// Sets operations_by_form, form_reason and from_atoms; where there are to be no sums of rows, drops the rows.
-// Precondition: `after` is known. Errors (refused, at `place`): a form is asked for that there cannot be.
-void choose_form(Program& program, EmitForm wish, const Place& place);
+// Sets operations_by_form, form_reason, many_points and sums_rows, with which `after` becomes that of the
+// sums; where there are to be none, drops the rows. longest: ProgramOptions::longest_formula. Precondition:
+// `after` is that of the formulas. Errors (refused, at `place`): a form is asked for that there cannot be.
+void choose_form(Program& program, EmitForm wish, const Place& place, int longest);
 
 } // namespace resonform

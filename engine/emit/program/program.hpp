@@ -127,7 +127,7 @@ struct Program {
     std::vector<ProgramOutput> slow;        // slow variables as functions of slow_time
     std::vector<ProgramOutput> outputs;     // as the scene lists them
     std::vector<ProgramData> data;          // those that the motion runs along
-    std::vector<ProgramRow> rows;           // of the outputs, if ProgramOptions::rows
+    std::vector<ProgramRow> rows;           // of the outputs, where something is the sum of them
     std::vector<ProgramOutput> state;       // all states at full weight (for direct integration), at any t
     std::vector<ProgramCondition> positive; // > 0 at every call, else outside_domain, named by the first
     std::vector<ProgramCondition> layers;   // > 0 up to where the evaluator ends (layers.hpp); no tables
@@ -143,12 +143,15 @@ struct Program {
     // cheaper.
     std::string form_reason;
     OperationsByForm operations_by_form;
-    bool from_atoms = false; // many points are made of atoms and turned modes (recipe.hpp): no rows then
+    EmitForm many_points = EmitForm::direct; // never automatic; atoms: see recipe.hpp
+    bool sums_rows = false; // one point, too, is the sum of its rows: its formula would be long
     // How many points are computed.
     [[nodiscard]] const char* form() const {
-        return from_atoms ? "atoms" : rows.empty() ? "direct" : "tables";
+        return many_points == EmitForm::atoms    ? "atoms"
+               : many_points == EmitForm::tables ? "tables"
+                                                 : "direct";
     }
-    [[nodiscard]] bool has_tables() const { return from_atoms || !rows.empty(); }
+    [[nodiscard]] bool has_tables() const { return many_points != EmitForm::direct; }
 };
 
 struct ProgramOptions {
@@ -157,6 +160,9 @@ struct ProgramOptions {
     bool rows = false;       // true: `rows` is filled, for evaluators that tabulate them
     // Names of parameters and start values that stay though no output needs them.
     std::set<std::string> kept_inputs = {};
+    // Additions and multiplications of one point: where there are more, it is the sum of its rows. A compiler
+    // takes seconds for so long a formula, and its constants fill a header.
+    int longest_formula = 2000;
 };
 
 } // namespace resonform

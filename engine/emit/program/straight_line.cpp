@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 
 namespace resonform {
 
@@ -262,11 +264,36 @@ std::vector<StraightLine::Value> StraightLine::symbols_behind(Value v) const {
     return symbols;
 }
 
+namespace {
+
+// What sums of rows take beside their amplitudes: powers of what turns with each phase, for each harmonic
+// products of them, a product and a sum for each row (runtime/rows.hpp).
+void count_sums(const Program& program, OperationCount& count) {
+    std::set<std::vector<int>> products;
+    int highest = 1;
+    for (const ProgramRow& row : program.rows)
+        for (std::size_t p = 0; p < row.turns.size(); ++p) {
+            products.emplace(row.turns.begin(), row.turns.begin() + static_cast<std::ptrdiff_t>(p + 1));
+            highest = std::max(highest, std::abs(row.turns[p]));
+        }
+    const int turns =
+        static_cast<int>(products.size()) + static_cast<int>(program.phases.size()) * (highest - 1);
+    count.add += 2 * turns + static_cast<int>(program.rows.size());
+    count.multiply += 4 * turns + static_cast<int>(program.rows.size());
+}
+
+} // namespace
+
 OperationCount count_operations(const Program& program) {
     StraightLine code(program);
     std::vector<StraightLine::Value> roots;
-    for (const ProgramOutput& output : program.outputs) roots.push_back(code.lower(output.value));
     OperationCount count;
+    if (program.sums_rows) {
+        for (const ProgramRow& row : program.rows) roots.push_back(code.lower(row.amplitude));
+        count_sums(program, count);
+    } else {
+        for (const ProgramOutput& output : program.outputs) roots.push_back(code.lower(output.value));
+    }
     count.tables = static_cast<int>(program.flow.size() + program.tables.size());
     for (const ProgramPhase& phase : program.phases) ++(phase.decays() ? count.other : count.sincos);
     for (const StraightLine::Value v : code.behind(roots, false)) {

@@ -29,6 +29,7 @@
 
 #include "runtime/kernel/view.hpp"
 #include "runtime/math.hpp"
+#include "runtime/rows.hpp"
 
 #include <array>
 #include <cstddef>
@@ -38,16 +39,6 @@ namespace resonform::kernel {
 // Amplitudes are sampled in this type: a rounding error at a node shifts the fit of the whole panel around
 // it.
 using Fine = math::Fine<double>;
-
-enum class Wave : unsigned char { one, cosine, sine };
-
-// A row: the output it belongs to and its wave of k.theta; the first index of k that is not 0 is positive.
-// One that decays and does not turn is a cosine.
-template <std::size_t Phases> struct Term {
-    unsigned output = 0;
-    Wave wave = Wave::one;
-    std::array<int, Phases> k{};
-};
 
 template <class Scene> constexpr std::size_t decays_of() {
     if constexpr (requires { Scene::decays; })
