@@ -2,7 +2,6 @@
 #include "emit/cpp/function.hpp"
 
 #include "algebra/number/binary_parts.hpp"
-#include "emit/cpp/digits.hpp"
 #include "emit/cpp/lies.hpp"
 #include "emit/cpp/names.hpp"
 #include "emit/graph/graph.hpp"
@@ -11,7 +10,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <set>
 
@@ -30,27 +28,13 @@ std::string integer_text(const std::string& type, const Integer& n) {
     return fmt::format("{}({}{})", type, to_string(Rational(n)), n < (Integer(1) << 31) ? "" : "LL");
 }
 
-using Parameters = CppFunction::Parameters;
-
-bool in_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-// Does a C++ text use an identifier?
-bool mentions(const std::string& text, const std::string& name) {
-    for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-        const std::size_t end = at + name.size();
-        const bool starts = at == 0 || (!in_word(text[at - 1]) && text[at - 1] != '.');
-        if (starts && (end == text.size() || !in_word(text[end]))) return true;
-    }
-    return false;
-}
-
 // Calls visit(begin, end) for each quantity w.NAME of a function in pieces that a text mentions: the text
 // from begin to end is its NAME.
 template <class Visit> void each_quantity(const std::string& text, const Visit& visit) {
     for (std::size_t at = text.find("w."); at != std::string::npos; at = text.find("w.", at + 2)) {
-        if (at > 0 && (in_word(text[at - 1]) || text[at - 1] == '.')) continue;
+        if (at > 0 && (cpp_in_word(text[at - 1]) || text[at - 1] == '.')) continue;
         std::size_t end = at + 2;
-        while (end < text.size() && in_word(text[end])) ++end;
+        while (end < text.size() && cpp_in_word(text[end])) ++end;
         visit(at + 2, end);
     }
 }
@@ -67,16 +51,6 @@ std::string with_locals(const std::string& text, const std::set<std::string>& pa
     return result + text.substr(done);
 }
 
-// One function of a class: its head, on two lines if need be, and its body.
-std::string function_text(const std::string& head, const Parameters& parameters, const std::string& body) {
-    std::vector<std::string> list;
-    for (const auto& [type, name] : parameters)
-        list.push_back(fmt::format("{}{} {}", mentions(body, name) ? "" : "[[maybe_unused]] ", type, name));
-    std::string text = fmt::format("    {}({}) {{\n", head, fmt::join(list, ", "));
-    if (text.size() > 110) text = fmt::format("    {}(\n            {}) {{\n", head, fmt::join(list, ", "));
-    return text + body + "    }\n";
-}
-
 // hypot(x, 0)
 bool is_modulus_of_real(const StraightLine& code, const StraightLine::Instruction& i) {
     if (i.op != StraightLine::Op::function || i.function != Graph::Op::sqrt_sum_squares) return false;
@@ -84,7 +58,7 @@ bool is_modulus_of_real(const StraightLine& code, const StraightLine::Instructio
     return second.op == StraightLine::Op::number && second.number == 0;
 }
 
-std::string names_of(const Parameters& parameters) {
+std::string names_of(const CppFunction::Parameters& parameters) {
     std::vector<std::string> names;
     for (const auto& parameter : parameters) names.push_back(parameter.second);
     return fmt::format("{}", fmt::join(names, ", "));
@@ -95,6 +69,18 @@ std::string names_of(const Parameters& parameters) {
 std::string cpp_difference_name(const StraightLine& code, Value doubled) {
     return fmt::format("difference_{}",
                        std::distance(code.doubled().begin(), code.doubled().find(doubled)) + 1);
+}
+
+// One function of a class: its head, on two lines if need be, and its body.
+std::string CppFunction::text_of(const std::string& head, const Parameters& parameters,
+                                 const std::string& body) {
+    std::vector<std::string> list;
+    for (const auto& [type, name] : parameters)
+        list.push_back(
+            fmt::format("{}{} {}", cpp_mentions(body, name) ? "" : "[[maybe_unused]] ", type, name));
+    std::string text = fmt::format("    {}({}) {{\n", head, fmt::join(list, ", "));
+    if (text.size() > 110) text = fmt::format("    {}(\n            {}) {{\n", head, fmt::join(list, ", "));
+    return text + body + "    }\n";
 }
 
 void CppFunction::compute(const std::vector<Value>& roots, bool through_constants) {
@@ -117,25 +103,6 @@ void CppFunction::compute(const std::vector<Value>& roots, bool through_constant
 void CppFunction::assign(const std::vector<Value>& list, const std::string& array) {
     lists_.emplace_back(list, array);
     for (std::size_t k = 0; k < list.size(); ++k) assign(list[k], fmt::format("{}[{}]", array, k));
-}
-
-bool CppFunction::walk(const std::vector<Value>& order, const std::vector<Value>& roots) {
-    std::set<Value> known;
-    for (const auto& [v, text] : texts_) known.insert(v);
-    for (const auto& [v, wish] : given_) known.insert(v);
-    walk_ = cpp_walk(*code_, order, known, roots, first_);
-    if (!walk_) return false;
-    for (const auto& [v, place] : walk_->inputs) {
-        const auto known = texts_.find(v);
-        const auto given = given_.find(v);
-        const std::string text = known != texts_.end()   ? known->second.text
-                                 : given != given_.end() ? given->second.second
-                                                         : expression(v).text;
-        statements_.push_back({fmt::format("w[{}]", place), text, false});
-        texts_[v] = {statements_.back().target, Level::atom};
-    }
-    for (const Value v : roots) texts_[v] = {fmt::format("w[{}]", walk_->place_of.at(v)), Level::atom};
-    return true;
 }
 
 void CppFunction::compute_one(Value v, int uses) {
@@ -330,69 +297,12 @@ std::string CppFunction::print(const Frame& frame) const {
             const std::string name = fmt::format("{}_{}", frame.name, ++piece);
             const std::string part =
                 statement_lines(k, std::min(k + longest_piece, statements_.size()), shared);
-            before +=
-                function_text(frame.head + " void " + name, parameters, lines(frame.first) + part) + "\n";
+            before += text_of(frame.head + " void " + name, parameters, lines(frame.first) + part) + "\n";
             body += fmt::format("        {}({});\n", name, names_of(parameters));
         }
     }
-    return before + function_text(fmt::format("{} {} {}", frame.head, frame.result, frame.name),
-                                  frame.parameters, lines(frame.first) + body + lines(frame.last));
-}
-
-std::string CppFunction::print_first(const Frame& frame, const std::string& walked) const {
-    std::string last;
-    for (const std::string& line : frame.last) last += "        " + line + "\n";
-    return function_text(fmt::format("{} {} {}", frame.head, frame.result, frame.name), frame.parameters,
-                         walk_call(walked, frame.parameters, walk_->first_texts) + last);
-}
-
-// Of a function's parameters, those that its walk begins with.
-Parameters CppFunction::inputs_of_walk(Parameters parameters) const {
-    const std::string inputs = statement_lines(0, statements_.size(), {});
-    std::erase_if(parameters, [&](const auto& parameter) { return !mentions(inputs, parameter.second); });
-    return parameters;
-}
-
-// The texts of the walk, and the function that runs the first of them.
-std::string CppFunction::walking(const Frame& frame) const {
-    std::vector<std::string> texts;
-    for (const std::string& text : walk_->texts) texts.push_back(literal_lines(text));
-    Parameters parameters = inputs_of_walk(frame.parameters);
-    parameters.emplace_back(fmt::format("std::array<{}, {}>&", type_, walk_->places), "w");
-    parameters.emplace_back("std::size_t", "texts");
-    return fmt::format("    static constexpr auto {0}_numbers = resonform::ratios<{1}>(\n{2});\n"
-                       "    static constexpr std::array {0}_texts{{\n{3}}};\n",
-                       frame.name, walk_->count, literal_lines(walk_->numbers), fmt::join(texts, ",\n")) +
-           function_text(
-               fmt::format("{} void {}_walk", frame.head, frame.name), parameters,
-               statement_lines(0, statements_.size(), {}) +
-                   fmt::format("        for (std::size_t k = 0; k < texts; ++k)\n"
-                               "            resonform::Walk<{0}, {1}, {2}>(w.data(), {3}_numbers.data(), "
-                               "{3}_texts[k]).run();\n",
-                               walk_->digits, walk_->functions, type_, frame.name)) +
-           "\n";
-}
-
-std::string CppFunction::walk_call(const std::string& function, const Parameters& parameters,
-                                   std::size_t texts) const {
-    std::string arguments;
-    for (const auto& parameter : inputs_of_walk(parameters)) arguments += parameter.second + ", ";
-    return fmt::format("        std::array<{}, {}> w;\n        {}_walk({}w, {});\n", type_, walk_->places,
-                       function, arguments, texts);
-}
-
-// The statements that copy the results of a walk to where they belong.
-std::string CppFunction::copies_of_walk() const {
-    std::string text;
-    std::set<Value> listed;
-    for (const auto& [list, array] : lists_) {
-        text += fmt::format("        resonform::Walk<{}, {}, {}>(w.data(), nullptr,\n{}).copy_to({});\n",
-                            walk_->digits, walk_->functions, type_, literal_lines(walk_->list(list)), array);
-        listed.insert(list.begin(), list.end());
-    }
-    for (const auto& [v, target] : targets_)
-        if (!listed.contains(v)) text += fmt::format("        {} = {};\n", target, texts_.at(v).text);
-    return text;
+    return before + text_of(fmt::format("{} {} {}", frame.head, frame.result, frame.name), frame.parameters,
+                            lines(frame.first) + body + lines(frame.last));
 }
 
 // The struct of the quantities that the pieces of a long function pass on.

@@ -87,6 +87,8 @@ private:
         bool declared = true;
     };
 
+    static std::string text_of(const std::string& head, const Parameters& parameters,
+                               const std::string& body);
     bool walk(const std::vector<StraightLine::Value>& order, const std::vector<StraightLine::Value>& roots);
     void compute_one(StraightLine::Value v, int uses);
     [[nodiscard]] Text expression(StraightLine::Value v) const;

@@ -86,6 +86,18 @@ std::string CppNames::numbered(const std::string& prefix) {
 
 std::string cpp_callable_name(const std::string& function) { return CppNames().unique(function); }
 
+bool cpp_in_word(char c) { return is_letter_or_digit(c) || c == '_'; }
+
+bool cpp_mentions(const std::string& text, const std::string& identifier) {
+    for (std::size_t at = text.find(identifier); at != std::string::npos;
+         at = text.find(identifier, at + 1)) {
+        const std::size_t end = at + identifier.size();
+        const bool starts = at == 0 || (!cpp_in_word(text[at - 1]) && text[at - 1] != '.');
+        if (starts && (end == text.size() || !cpp_in_word(text[end]))) return true;
+    }
+    return false;
+}
+
 std::string cpp_literal(const std::string& text) {
     std::string literal = "\"";
     for (const char c : text) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};

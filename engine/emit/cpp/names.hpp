@@ -32,6 +32,10 @@ std::string cpp_namespace(const std::string& system, const std::string& scene);
 std::string cpp_callable_name(const std::string& function);
 std::string cpp_data_name(const PiecewisePolynomial& data);
 
+// Whether a character may stand in an identifier, and whether a C++ text uses one, not as a member.
+bool cpp_in_word(char c);
+bool cpp_mentions(const std::string& text, const std::string& identifier);
+
 // A C++ string literal of ASCII text.
 std::string cpp_literal(const std::string& text);
 
