@@ -33,7 +33,7 @@ std::string row_list(const Program& program) {
     std::size_t count = 0;
     for (auto& [turns, place] : harmonics) {
         place = count++;
-        for (const int k : turns) k_text += in_digits(static_cast<std::size_t>(k + highest), 2);
+        for (const long k : turns) k_text += in_digits(static_cast<std::size_t>(k + highest), 2);
     }
     for (const ProgramRow& row : program.rows)
         waves += in_digits(2 * harmonics.at(row.turns) + (row.wave == ProgramWave::sine ? 1 : 0), 2);
