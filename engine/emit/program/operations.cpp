@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace resonform {
@@ -109,6 +111,13 @@ std::optional<int> operations_on_atoms(const Program& program) {
                             phase * program.phases.size());
 }
 
+// The higher the harmonic, the smaller the row, as a rule; a sum rounds less if it begins with small ones.
+int degree(const ProgramRow& row) {
+    int sum = 0;
+    for (const int k : row.turns) sum += std::abs(k);
+    return sum;
+}
+
 void sum_rows_of_long_formula(Program& program, bool possible, int longest) {
     constexpr long long longer = 4;              // sums than formulas
     constexpr std::size_t most_harmonics = 4000; // that two digits tell (emit/cpp/rows.hpp)
@@ -117,7 +126,11 @@ void sum_rows_of_long_formula(Program& program, bool possible, int longest) {
     program.sums_rows = true;
     const OperationCount of_sums = count_operations(program);
     program.sums_rows = all(of_sums) < longer * all(program.after);
-    if (program.sums_rows) program.after = of_sums;
+    if (!program.sums_rows) return;
+    program.after = of_sums;
+    std::stable_sort(program.rows.begin(), program.rows.end(), [](const ProgramRow& a, const ProgramRow& b) {
+        return std::pair(a.output, -degree(a)) < std::pair(b.output, -degree(b));
+    });
 }
 
 } // namespace

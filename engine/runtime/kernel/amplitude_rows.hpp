@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 #include <vector>
 
@@ -109,6 +110,15 @@ public:
         double power = 1;
         for (std::size_t j = 1; j < p.size; ++j) c[j] = c[j] * (power /= middle);
         for (std::size_t l = 0; l < group; ++l) c[0].at[l] += base_[p.base + g].at[l];
+    }
+
+    // The places, those of small rows first: sums in this order round less.
+    std::vector<std::size_t> by_size() const {
+        std::vector<std::size_t> places(kept.size());
+        std::iota(places.begin(), places.end(), std::size_t{0});
+        std::stable_sort(places.begin(), places.end(),
+                         [this](std::size_t a, std::size_t b) { return size_[kept[a]] < size_[kept[b]]; });
+        return places;
     }
 
     unsigned group_degree(std::size_t g) const {
@@ -243,12 +253,13 @@ private:
                     most = std::max(most, std::abs(p.at(k, r)));
                     sum += std::abs(p.at(k, r));
                 }
+                size_[r] = std::max(size_[r], sum);
                 if (!(sum > negligible * scale)) continue;
-                std::size_t size = nodes; // the rounding of a row is not worth a coefficient
+                std::size_t count = nodes; // the rounding of a row is not worth a coefficient
                 const double allowed = std::max(negligible / 2 * scale, 3e-17 * most);
-                while (size > 1 && std::abs(p.at(size - 1, r)) < allowed) --size;
-                for (std::size_t k = size; k < nodes; ++k) p.c[k][r / group].at[r % group] = 0;
-                length[r] = std::max(length[r], size);
+                while (count > 1 && std::abs(p.at(count - 1, r)) < allowed) --count;
+                for (std::size_t k = count; k < nodes; ++k) p.c[k][r / group].at[r % group] = 0;
+                length[r] = std::max(length[r], count);
             }
         for (std::size_t r = 0; r < Rows; ++r)
             if (length[r] > 0) kept.push_back(r);
@@ -288,6 +299,7 @@ private:
 
     Values values_ = Values(Rows); // at the nodes of one panel
     std::vector<Side> base_;
+    std::array<double, Rows> size_{}; // of each row, the largest in its panels
     std::array<unsigned, Rows> part_{};
     std::vector<unsigned> parts_;               // each by its first row
     std::vector<std::vector<unsigned>> slower_; // of each part, itself among them

@@ -307,10 +307,11 @@ private:
     template <class Scene, class Rows> void lay_out_rows(const Rows& rows, const HarmonicsOf<Scene>& made) {
         needed_.assign(made.most, 0);
         lasting_.assign(made.most, 0);
+        const std::vector<std::size_t> places = rows.by_size();
         for (unsigned o = 0; o < Scene::outputs; ++o) {
             Output output{static_cast<unsigned>(row_.size()), 0, 0};
             for (const Part part : {Part::fading, Part::turning, Part::mean})
-                for (std::size_t place = 0; place < rows.kept.size(); ++place) {
+                for (const std::size_t place : places) {
                     const auto& term = Scene::terms[rows.kept[place]];
                     if (term.output != o || part_of<Scene>(term) != part) continue;
                     ++output.count;
