@@ -252,15 +252,15 @@ private:
         const Number k_26 = Number(1) / Number(4) * k_6 * k_8 - Number(1) / Number(4) * k_6 * k_10;
         c.c_21 = Number(20) * k_2 * k_4 * k_5 * k_26;
         c.c_22 = -Number(10) * k_7 * k_9 * k_2 * k_4 * k_6 * k_5;
-        const Number k_27 = Number(1) / Number(100000000) * k_5;
-        c.c_23 = Number(81) / Number(10) - Number(4) * k_1 - k_27;
-        c.c_24 = Number(102) / Number(5) - k_27 - Number(8) * k_1;
-        const Number k_28 = k_11 * k_13;
-        const Number k_29 = k_11 * k_15;
-        const Number k_30 = k_5 * c.eps;
-        const Number k_31 = k_30 * k_30;
-        const Number k_32 = k_4 * k_4;
-        const Number k_33 = k_2 * k_2;
+        const Number k_27 = k_2 * k_2;
+        const Number k_28 = Number(1) / Number(100000000) * k_5;
+        c.c_23 = Number(1) / Number(100) * (Number(1) / k_27) - k_28;
+        c.c_24 = Number(102) / Number(5) - k_28 - Number(8) * k_1;
+        const Number k_29 = k_11 * k_13;
+        const Number k_30 = k_11 * k_15;
+        const Number k_31 = k_5 * c.eps;
+        const Number k_32 = k_31 * k_31;
+        const Number k_33 = k_4 * k_4;
         const Number k_34 = Number(1) + k_1;
         const Number k_35 = Number(1) / k_34;
         const Number k_36 = k_35 * k_35;
@@ -272,25 +272,25 @@ private:
         const Number k_42 = amplitude_x * k_7 * k_41 + Number(3) * amplitude_x * k_9 * k_12 * k_14 * k_1 * k_11;
         const Number k_43 = -Number(4) * amplitude_x * k_9 * amplitude_y * k_14 * k_1 - Number(41) / Number(5) * amplitude_x * k_7 * amplitude_y * k_12;
         const Number k_44 = c.eps * k_42 + Number(31) / Number(10) * k_34 * k_39 * k_43;
-        const Number k_45 = Number(1000000) / Number(1615441) * k_5 * k_32 * k_33 * k_36 * k_38 * (k_44 * k_44);
+        const Number k_45 = Number(1000000) / Number(1615441) * k_5 * k_33 * k_27 * k_36 * k_38 * (k_44 * k_44);
         const Number k_46 = Number(91) / Number(32) * k_6 * k_8 - Number(37) / Number(160) * k_6 * k_10;
         const Number k_47 = Number(31) / Number(10) * k_34 * k_39 * k_46 + Number(3121) / Number(200) * k_11 * k_15 - Number(579) / Number(200) * k_11 * k_13;
         const Number k_48 = Number(46) / Number(5) * amplitude_x * k_7 * k_12 * k_14 * k_1 * k_11;
         const Number k_49 = Number(21) / Number(5) * amplitude_x * k_7 * amplitude_y * k_14 * k_1;
         const Number k_50 = Number(41) / Number(5) * amplitude_x * k_9 * amplitude_y * k_12 - k_49;
         const Number k_51 = c.eps * (amplitude_x * k_9 * k_47 + k_48) + Number(31) / Number(10) * k_34 * k_39 * k_50;
-        const Number k_52 = Number(1000000) / Number(1615441) * k_5 * k_32 * k_33 * k_36 * k_38 * (k_51 * k_51);
+        const Number k_52 = Number(1000000) / Number(1615441) * k_5 * k_33 * k_27 * k_36 * k_38 * (k_51 * k_51);
         const Number k_53 = Number(61) / Number(10) * amplitude_x * k_9 * amplitude_y * k_14 * k_1;
         const Number k_54 = -k_53 - Number(77) / Number(10) * amplitude_x * k_7 * amplitude_y * k_12;
         const Number k_55 = amplitude_x * k_7 * k_54 + Number(23) / Number(5) * amplitude_y * k_12 * k_6 * k_10;
         const Number k_56 = Number(31) / Number(10) * k_34 * k_39 * (Number(21) / Number(10) * k_6 * k_8 - Number(2) * k_6 * k_10);
         const Number k_57 = c.eps * k_55 + k_56;
-        const Number k_58 = Number(1000000) / Number(1615441) * k_5 * k_32 * k_33 * k_36 * k_38 * (k_57 * k_57);
+        const Number k_58 = Number(1000000) / Number(1615441) * k_5 * k_33 * k_27 * k_36 * k_38 * (k_57 * k_57);
         const Number k_59 = Number(1) / Number(10) * amplitude_x * k_9 * amplitude_y * k_12 * k_1;
         const Number k_60 = k_59 + Number(3) / Number(2) * amplitude_x * k_7 * amplitude_y * k_14;
         const Number k_61 = amplitude_x * k_7 * k_60 + Number(8) / Number(5) * amplitude_y * k_14 * k_6 * k_10;
         const Number k_62 = c.eps * k_61 + Number(31) / Number(5) * k_7 * k_9 * k_1 * k_34 * k_39 * k_6;
-        const Number k_63 = Number(1000000) / Number(1615441) * k_5 * k_32 * k_33 * k_36 * k_38 * (k_62 * k_62);
+        const Number k_63 = Number(1000000) / Number(1615441) * k_5 * k_33 * k_27 * k_36 * k_38 * (k_62 * k_62);
         const Number k_64 = Number(1000) / Number(1271) * c.eps * k_2 * k_37 * k_4 * k_35 * k_44;
         const Number k_65 = c.c_4 + k_64;
         const Number k_66 = k_65 * k_65;
@@ -315,7 +315,7 @@ private:
         const Number k_85 = Number(41) / Number(5) * k_68 * k_72 - Number(21) / Number(5) * k_1 * k_65 * k_75;
         const Number k_86 = Number(1000) / Number(1271) * c.eps * k_2 * k_37 * k_4 * k_35 * (k_84 + Number(31) / Number(10) * k_34 * k_39 * k_85);
         const Number k_87 = k_86 - k_67;
-        c.c_25 = k_19 + k_20 + k_28 + k_29 + k_31 + k_45 + k_52 + k_58 + k_63 - Number(4) * (k_81 * k_81 + k_87 * k_87);
+        c.c_25 = k_19 + k_20 + k_29 + k_30 + k_32 + k_45 + k_52 + k_58 + k_63 - Number(4) * (k_81 * k_81 + k_87 * k_87);
         const Number k_88 = -Number(61) / Number(10) * k_1 * k_68 * k_75 - Number(77) / Number(10) * k_65 * k_72;
         const Number k_89 = Number(31) / Number(10) * k_34 * k_39 * (Number(21) / Number(10) * k_66 - Number(2) * k_69);
         const Number k_90 = c.eps * (k_65 * k_88 + Number(23) / Number(5) * k_72 * k_69) + k_89;
@@ -325,7 +325,7 @@ private:
         const Number k_94 = c.eps * (k_65 * k_93 + Number(8) / Number(5) * k_75 * k_69) + Number(31) / Number(5) * k_1 * k_34 * k_39 * k_65 * k_68;
         const Number k_95 = Number(1000) / Number(1271) * c.eps * k_2 * k_37 * k_4 * k_35 * k_94;
         const Number k_96 = k_95 - k_74;
-        c.c_26 = k_19 + k_20 + k_28 + k_29 + k_31 + k_45 + k_52 + k_58 + k_63 - Number(4) * (k_92 * k_92 + k_96 * k_96);
+        c.c_26 = k_19 + k_20 + k_29 + k_30 + k_32 + k_45 + k_52 + k_58 + k_63 - Number(4) * (k_92 * k_92 + k_96 * k_96);
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {

@@ -271,6 +271,38 @@ TEST(EmittedEqualsSymbolic, ADivisorOfFixedNumbersKeepsItsDigits) {
     expect_four_ulp(system);
 }
 
+// The divisor c - sqrt(c^2 - 4) is 10^-4 at c = 20000: of its square, multiplied out, noise was left, and
+// statuses were wrong.
+TEST(EmittedEqualsSymbolic, ADivisorOfLargeFixedNumbersKeepsItsDigits) {
+    const fs::path system = cache() / "overdamped";
+    fs::create_directories(system / "scenes");
+    write_atomically(system / "system.toml",
+                     "[system]\nname = \"overdamped\"\n[parameters]\nc = { positive = true }\n[variables]\n"
+                     "x = { role = \"fast\" }\n[domain]\npositive = [\"c^2 - 4\"]\n[equations]\n"
+                     "x = \"x'' + c*x' + sin(x) = 0\"\n");
+    write_atomically(system / "scenes/s.toml",
+                     "order = 2\n[fix]\nc = 20000\n[start]\nx = \"eps\"\n\"x'\" = 0\n");
+    expect_four_ulp(system);
+}
+
+// y = e^-t + eps sin(tau) on the slow manifold, whose time passes a multiple of pi: what is left of sin there
+// is the rounding of tau_0 + eps t. By |sin| alone it was off by 10^4 ulp, and so were cos, log, erf and
+// atan.
+TEST(EmittedEqualsSymbolic, AFunctionThatPassesZeroIsKnownToItsArgument) {
+    const std::string functions[][2] = {{"sin(tau)", "5/2"}, {"log(tau)", "0.7"}, {"erf(tau - 1)", "0.7"}};
+    for (const auto& [function, start] : functions) {
+        const fs::path system = cache() / "passes_zero";
+        fs::create_directories(system / "scenes");
+        write_atomically(system / "system.toml",
+                         "[system]\nname = \"passes_zero\"\n[variables]\ny = { role = \"fast\", weight = 0 "
+                         "}\ntau = { role = \"slow\", positive = true }\n[equations]\ny = \"y' = -y + eps*" +
+                             function + "\"\ntau = \"tau' = eps\"\n");
+        write_atomically(system / "scenes/s.toml",
+                         "order = 1\n[start]\ny = 1\ntau = \"" + start + "\"\n[verify]\neps = [0.1, 0.02]\n");
+        expect_four_ulp(system);
+    }
+}
+
 // A condition that holds wherever values are compared, and breaks at some of the starts of which only the
 // status is.
 TEST(EmittedEqualsSymbolic, AConditionThatFewStartsBreakIsCaught) {

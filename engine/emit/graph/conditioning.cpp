@@ -137,11 +137,30 @@ std::optional<GiNaC::ex> constant_of(const Graph& graph, Graph::Node n) {
     }
 }
 
-// Whether a factor is a sum whose terms are no numbers: sqrt(k)*(2 - sqrt(2)) loses no more than a digit.
+// Of a node without symbols, to more digits than any real type has.
+std::optional<Rational> value_of_constant(const Graph& graph, Graph::Node n) {
+    constexpr int bits = 500;
+    const auto constant = constant_of(graph, n);
+    if (!constant) return std::nullopt;
+    const std::optional<RealBall> value = enclose(*constant, {}, bits);
+    if (!value || value->sign() == 0) return std::nullopt;
+    return middle(*value);
+}
+
+// Whether a factor is a sum that may be far smaller than its terms: they are no numbers, or 20000 -
+// sqrt(19998)*sqrt(20002). sqrt(k)*(2 - sqrt(2)) loses no more than a digit.
 bool cancels_by_values(const Graph& graph, Graph::Node n) {
     const Graph::Entry& e = graph.at(n);
-    const auto is_known = [&](Graph::Node term) { return constant_of(graph, term).has_value(); };
-    if (e.op == Graph::Op::add) return !std::all_of(e.operands.begin(), e.operands.end(), is_known);
+    if (e.op == Graph::Op::add) {
+        const std::optional<Rational> sum = value_of_constant(graph, n);
+        Rational sizes = 0;
+        for (const Graph::Node term : e.operands) {
+            const std::optional<Rational> value = value_of_constant(graph, term);
+            if (!value || !sum) return true;
+            sizes = sizes + cln::abs(*value);
+        }
+        return sizes > 16 * cln::abs(*sum);
+    }
     if (e.op != Graph::Op::multiply && e.op != Graph::Op::power) return false;
     return std::any_of(e.operands.begin(), e.operands.end(),
                        [&](Graph::Node factor) { return cancels_by_values(graph, factor); });
@@ -150,7 +169,6 @@ bool cancels_by_values(const Graph& graph, Graph::Node n) {
 // A sum of numbers with different signs, as its value to more digits than any real type has:
 //   1 - pi/3   ->   -0.0471975...
 Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
-    constexpr int bits = 500;
     const std::vector<Graph::Node> operands = graph.at(n).operands;
     if (graph.at(n).op != Graph::Op::add) return n;
     bool above = false, below = false;
@@ -160,8 +178,8 @@ Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
         (sign_of_constant(*constant) == ConstantSign::positive ? above : below) = true;
     }
     if (!above || !below) return n;
-    const std::optional<RealBall> value = enclose(*constant_of(graph, n), {}, bits);
-    return value && value->sign() != 0 ? graph.rational(middle(*value)) : n;
+    const std::optional<Rational> value = value_of_constant(graph, n);
+    return value ? graph.rational(*value) : n;
 }
 
 } // namespace
@@ -188,7 +206,7 @@ Graph::Node Lowering::divisor(const Polynomial& p) {
     const Graph::Node plain = polynomial(p);
     if (!cancels_by_values(*graph_, plain)) return plain;
     const std::optional<Graph::Node> rewritten = without_cancellation(p);
-    return rewritten ? *rewritten : plain;
+    return rewritten ? *rewritten : with_all_digits(*graph_, plain);
 }
 
 } // namespace resonform

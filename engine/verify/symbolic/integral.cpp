@@ -305,8 +305,7 @@ template <class Number> void SymbolicMoment<Number>::move_to(const SymbolicFrame
         }
     }
     for (const SymbolicRing::Root& root : solution.ring().roots())
-        if (frame.moves[static_cast<std::size_t>(root.id)])
-            SymbolicRing::set_root(root, value_of(root.radicand, values).re, values);
+        if (frame.moves[static_cast<std::size_t>(root.id)]) SymbolicRing::set_moving_root(root, values);
     for (const SymbolicPrimitive& p : solution.primitives()) {
         if (!frame.moves[static_cast<std::size_t>(p.id)]) continue;
         const Number argument = value_of(p.argument, values).re;

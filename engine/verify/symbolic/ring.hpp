@@ -60,20 +60,33 @@ public:
 
     template <class Number>
     static void set_root(const Root& root, Number radicand, SymbolicValues<Number>& values) {
-        if (root.data != nullptr) {
-            values.set(root.id, Number(spline(spline_of(*root.data), root.derivative, radicand)));
-            return;
-        }
-        if (root.function) {
-            values.set(root.id, value_of_function(*root.function, radicand));
+        if (root.data != nullptr || root.function) {
+            values.set(root.id, value_of_call(root, radicand));
             return;
         }
         int index = root.index;
         for (; index % 2 == 0; index /= 2) radicand = square_root(radicand);
         values.set(root.id, index == 1 ? radicand : math::root(radicand, index));
     }
+    // The same for one that moves. Where a function f(x) passes through zero its scale is not |f|, but what
+    // last places of x are worth, |f'(x)| (scale of x), by a difference quotient: a digit or two will do.
+    template <class Number> static void set_moving_root(const Root& root, SymbolicValues<Number>& values) {
+        const Number x = value_of(root.radicand, values).re;
+        set_root(root, x, values);
+        if (!root.function || root.function == Function::exponential) return;
+        const Number step(1e-8), value = values[root.id].re;
+        const Number change = value_of_call(root, Number(x + step * scale_of(root.radicand, values))) - value;
+        const Number worth = math::magnitude(change) / step;
+        if (math::finite(worth) && worth > math::magnitude(value))
+            values.set(root.id, {value, Number(0)}, worth);
+    }
 
 private:
+    template <class Number> static Number value_of_call(const Root& root, const Number& x) {
+        if (root.data != nullptr) return Number(spline(spline_of(*root.data), root.derivative, x));
+        return value_of_function(*root.function, x);
+    }
+
     Fix fix_;
     std::map<std::string, Wide> irrational_; // of fix
     FixedRing fixed_;

@@ -186,11 +186,14 @@ ComplexNumber<Number> value_of(const SymbolicSum& sum, const SymbolicValues<Numb
 template WideComplex value_of(const SymbolicSum&, const SymbolicValues<Wide>&);
 template ComplexNumber<Float128> value_of(const SymbolicSum&, const SymbolicValues<Float128>&);
 
-Wide scale_of(const SymbolicSum& sum, const SymbolicValues<Wide>& values) {
-    Wide total = 0;
-    for (const SymbolicTerm& term : sum) total += scaled(Wide(abs(term.coefficient)), term.powers, values);
+template <class Number> Number scale_of(const SymbolicSum& sum, const SymbolicValues<Number>& values) {
+    Number total = 0;
+    for (const SymbolicTerm& term : sum)
+        total += scaled(narrowed<Number>(Wide(abs(term.coefficient))), term.powers, values);
     return total;
 }
+template Wide scale_of(const SymbolicSum&, const SymbolicValues<Wide>&);
+template Float128 scale_of(const SymbolicSum&, const SymbolicValues<Float128>&);
 
 template <class Number>
 MovingSum<Number>::MovingSum(const SymbolicSum& sum, const SymbolicValues<Wide>& constants,

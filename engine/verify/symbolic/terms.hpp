@@ -173,7 +173,7 @@ private:
 
 template <class Number>
 ComplexNumber<Number> value_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
-Wide scale_of(const SymbolicSum& sum, const SymbolicValues<Wide>& values);
+template <class Number> Number scale_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
 
 // A sum with the values of constants put in: terms that differ only by constants are merged.
 template <class Number> class MovingSum {

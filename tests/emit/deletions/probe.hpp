@@ -105,10 +105,13 @@ template <class E, std::size_t outputs> struct Probe {
         std::array<std::vector<double>, outputs> rows;
         for (auto& row : rows) row.assign(n, sentinel);
         std::vector<Status> status(n);
-        E::ensemble(n, members, t.data(), rows[k].data()..., status.data());
-        for (const Status s : status) add(s);
-        for (const auto& row : rows)
-            for (const double x : row) digest.add(x);
+        for (const bool full_phase : {true, false}) {
+            if constexpr (requires { members.full_phase; }) members.full_phase = full_phase;
+            E::ensemble(n, members, t.data(), rows[k].data()..., status.data());
+            for (const Status s : status) add(s);
+            for (const auto& row : rows)
+                for (const double x : row) digest.add(x);
+        }
     }
 
     void add_point(double eps, const typename E::Parameters& p, const typename E::Start& at, double end) {
