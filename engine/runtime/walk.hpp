@@ -11,8 +11,8 @@
 //   place                                 `Digits` digits, the first of them less than `firsts`
 //   number k                              of a list, k by `Digits` digits
 //   long_number                           exponent + 4050 in two digits, seven mantissas + 2^53 in nine each:
-//                                         2^exponent * sum of mantissa_k/2^(53 k), each the whole number next
-//                                         to what is left
+//                                         2^exponent * sum of mantissa_k/2^(53 k); each mantissa is the whole
+//                                         number nearest to what those before it leave
 //   sum 9 p + q, p + q values             p that are added, q that are subtracted; or 81 and both in two
 //   product k, k values                   or 89 and k in two digits
 //   two_factors, two values

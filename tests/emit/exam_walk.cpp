@@ -232,6 +232,12 @@ TEST(Walk, SomeRootsComeFirst) {
     Walk<2, 0x7ff, double>(places.data(), numbers.data(), walk->texts[1].c_str()).run();
     EXPECT_NEAR(places[walk->place_of.at(roots[0])], 3 * std::sin(2.25), 1e-15);
     EXPECT_NEAR(places[walk->place_of.at(roots[1])], std::cos(2.25) + 0.25, 1e-15);
+
+    const std::set<Value> known{inputs.begin(), inputs.end()};
+    EXPECT_EQ(cpp_walk(code, code.behind(roots, true), known, roots, roots)->first_texts, 1U) << "all";
+    const std::vector<Value> with_input{roots[1], inputs[1]};
+    const auto input_first = cpp_walk(code, code.behind(with_input, true), known, with_input, {inputs[1]});
+    EXPECT_EQ(input_first->first_texts, 0U) << "known without a step";
 }
 
 // Places that nothing needs any more are used again.

@@ -8,7 +8,7 @@
 
 #include "emit/cpp/plan.hpp"
 #include "emit/program/build_program.hpp"
-#include "model/files/read_scene.hpp"
+#include "own_system.hpp"
 #include "support/compiler.hpp"
 #include "support/program.hpp"
 #include "support/shell.hpp"
@@ -59,9 +59,12 @@ std::shared_ptr<const EvaluatorLibrary> interpreted(const Made& m) {
 // Where the lie is in the graph, which compiled code and the interpreter have in common.
 EmittedCheck checked_interpreted(const Made& m) { return checked(m, interpreted(m), cache()); }
 
-// The scene s of a system, from thirty starts.
-void expect_four_ulp(const fs::path& system) {
-    const Made m = made(read_scene(system / "scenes/s.toml", cache()));
+// A system, behind its name, and its scene, from thirty starts.
+void expect_four_ulp(const std::string& system, const std::string& scene) {
+    struct : test::WrittenSystem {
+        using WrittenSystem::written;
+    } own;
+    const Made m = made(own.written(system, scene));
     const EmittedCheck check =
         check_emitted(m.program, interpreted(m), m.solution, m.scene, {cache(), {}, 30});
     EXPECT_EQ(check.verdict, Verdict::pass) << to_text(check);
@@ -242,64 +245,42 @@ TEST(SlowEmittedEqualsSymbolic, WhatIsPrunedThoughItIsNeededIsMissed) {
 // The divisor 1 - sqrt(1 + s^2) of the forced motion: formed by a subtraction, it had lost 300 ulp at s =
 // 0.04.
 TEST(EmittedEqualsSymbolic, ADivisorThatIsTheDifferenceOfARootKeepsItsDigits) {
-    const fs::path system = cache() / "nearly_resonant";
-    fs::create_directories(system / "scenes");
-    write_atomically(system / "system.toml",
-                     "[system]\nname = \"nearly_resonant\"\n[variables]\nx = { role = \"fast\" }\n"
-                     "s = { role = \"slow\" }\np = { role = \"angle\" }\n[equations]\n"
-                     "x = \"x'' + (1 + s^2)*x + x^3 = eps*cos(p)\"\ns = \"s' = eps*(1 - s/2)\"\n"
-                     "p = \"p' = 1 + s^2\"\n");
-    write_atomically(system / "scenes/s.toml",
-                     "order = 1\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\np = 0.5\n"
-                     "[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
-    expect_four_ulp(system);
+    expect_four_ulp("[variables]\nx = { role = \"fast\" }\n"
+                    "s = { role = \"slow\" }\np = { role = \"angle\" }\n[equations]\n"
+                    "x = \"x'' + (1 + s^2)*x + x^3 = eps*cos(p)\"\ns = \"s' = eps*(1 - s/2)\"\n"
+                    "p = \"p' = 1 + s^2\"\n",
+                    "order = 1\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\np = 0.5\n"
+                    "[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
 }
 
 // The divisor 1 - w of a forced motion at w = pi/3: of a pi in double it had lost 20 ulp.
 TEST(EmittedEqualsSymbolic, ADivisorOfFixedNumbersKeepsItsDigits) {
-    const fs::path system = cache() / "fixed_detuning";
-    fs::create_directories(system / "scenes");
-    write_atomically(
-        system / "system.toml",
-        "[system]\nname = \"fixed_detuning\"\n[parameters]\nw = { positive = true }\n[variables]\n"
+    expect_four_ulp(
+        "[parameters]\nw = { positive = true }\n[variables]\n"
         "x = { role = \"fast\" }\ns = { role = \"slow\" }\np = { role = \"angle\" }\n[equations]\n"
-        "x = \"x'' = -w^2*x + eps^2*(1 + s^2)*cos(p)\"\ns = \"s' = eps\"\np = \"p' = 1\"\n");
-    write_atomically(
-        system / "scenes/s.toml",
+        "x = \"x'' = -w^2*x + eps^2*(1 + s^2)*cos(p)\"\ns = \"s' = eps\"\np = \"p' = 1\"\n",
         "order = 1\n[fix]\nw = \"pi/3\"\n[start]\nx = \"0.3*eps\"\n\"x'\" = \"0.1*eps\"\ns = 0.4\n"
         "p = 0.5\n[verify]\neps = [0.01, 0.002]\ninterval = \"1\"\n");
-    expect_four_ulp(system);
 }
 
 // The divisor c - sqrt(c^2 - 4) is 10^-4 at c = 20000: of its square, multiplied out, noise was left, and
 // statuses were wrong.
 TEST(EmittedEqualsSymbolic, ADivisorOfLargeFixedNumbersKeepsItsDigits) {
-    const fs::path system = cache() / "overdamped";
-    fs::create_directories(system / "scenes");
-    write_atomically(system / "system.toml",
-                     "[system]\nname = \"overdamped\"\n[parameters]\nc = { positive = true }\n[variables]\n"
-                     "x = { role = \"fast\" }\n[domain]\npositive = [\"c^2 - 4\"]\n[equations]\n"
-                     "x = \"x'' + c*x' + sin(x) = 0\"\n");
-    write_atomically(system / "scenes/s.toml",
-                     "order = 2\n[fix]\nc = 20000\n[start]\nx = \"eps\"\n\"x'\" = 0\n");
-    expect_four_ulp(system);
+    expect_four_ulp("[parameters]\nc = { positive = true }\n[variables]\n"
+                    "x = { role = \"fast\" }\n[domain]\npositive = [\"c^2 - 4\"]\n[equations]\n"
+                    "x = \"x'' + c*x' + sin(x) = 0\"\n",
+                    "order = 2\n[fix]\nc = 20000\n[start]\nx = \"eps\"\n\"x'\" = 0\n");
 }
 
-// y = e^-t + eps sin(tau) on the slow manifold, whose time passes a multiple of pi: what is left of sin there
-// is the rounding of tau_0 + eps t. By |sin| alone it was off by 10^4 ulp, and so were cos, log, erf and
-// atan.
+// y = e^-t + eps sin(tau), and tau = tau_0 + eps t passes a multiple of pi. There sin(tau) is as small as the
+// rounding error of tau; counted in ulp of |sin(tau)| alone, correct code was off by 10^4 of them.
 TEST(EmittedEqualsSymbolic, AFunctionThatPassesZeroIsKnownToItsArgument) {
     const std::string functions[][2] = {{"sin(tau)", "5/2"}, {"log(tau)", "0.7"}, {"erf(tau - 1)", "0.7"}};
     for (const auto& [function, start] : functions) {
-        const fs::path system = cache() / "passes_zero";
-        fs::create_directories(system / "scenes");
-        write_atomically(system / "system.toml",
-                         "[system]\nname = \"passes_zero\"\n[variables]\ny = { role = \"fast\", weight = 0 "
-                         "}\ntau = { role = \"slow\", positive = true }\n[equations]\ny = \"y' = -y + eps*" +
-                             function + "\"\ntau = \"tau' = eps\"\n");
-        write_atomically(system / "scenes/s.toml",
-                         "order = 1\n[start]\ny = 1\ntau = \"" + start + "\"\n[verify]\neps = [0.1, 0.02]\n");
-        expect_four_ulp(system);
+        expect_four_ulp("[variables]\ny = { role = \"fast\", weight = 0 "
+                        "}\ntau = { role = \"slow\", positive = true }\n[equations]\ny = \"y' = -y + eps*" +
+                            function + "\"\ntau = \"tau' = eps\"\n",
+                        "order = 1\n[start]\ny = 1\ntau = \"" + start + "\"\n[verify]\neps = [0.1, 0.02]\n");
     }
 }
 

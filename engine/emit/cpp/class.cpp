@@ -53,13 +53,6 @@ private:
     std::string constants_function(const std::string& which) const {
         return (plan_.range.native ? "compute_" : "keep_") + which;
     }
-    // What whole rates read.
-    std::string rate_constants() const {
-        return plan_.whole_rates_read_some() ? "phase_constants" : "constants";
-    }
-    std::string rate_constants_type() const {
-        return plan_.whole_rates_read_some() ? "PhaseConstants" : "Constants";
-    }
     // Tables are kept in Real; what needs them takes them as they are.
     std::string widened_tables(const char* number, const char* of = "") const {
         return fmt::format("widened<{}>({}look_up_{}(static_cast<Real>(T)))", number, of,
@@ -185,8 +178,8 @@ std::string CppFrame::rates() const {
         list.push_back(fmt::format("{}_rate(c, T{})", plan_.phase_names[k], tables));
     }
     return filled(frames::rates, {{"phases", std::to_string(program_.phases.size())},
-                                  {"constants", constants_function(rate_constants())},
-                                  {"Constants", rate_constants_type()},
+                                  {"constants", constants_function(plan_.rate_constants())},
+                                  {"Constants", plan_.rate_constants_type()},
                                   {"parameters", parameters()},
                                   {"starts", plan_.member_list(plan_.phase_starts, "c.")},
                                   {"rates", fmt::format("{}", fmt::join(list, ", "))}});
@@ -286,8 +279,8 @@ std::string CppFrame::construct() const {
             plan_.levels[level].name);
     }
     if (!program_.phases.empty())
-        text += fmt::format("        {}<Wide> wide;\n", rate_constants_type()) +
-                cpp_constants_call(plan_, rate_constants(), "wide");
+        text += fmt::format("        {}<Wide> wide;\n", plan_.rate_constants_type()) +
+                cpp_constants_call(plan_, plan_.rate_constants(), "wide");
     for (std::size_t k = 0; k < program_.phases.size(); ++k) {
         const std::string& name = plan_.phase_names[k];
         std::string rate = fmt::format("{}_rate(wide, T)", name);

@@ -47,7 +47,7 @@ private:
     const Program& program_;
     CppPlan& plan_;
     static constexpr const char* constants_name = "compute_constants";
-    std::optional<CppFunction> walked_; // it, if a loop walks it
+    std::optional<CppFunction> walked_; // compute_constants, if a loop walks it
 };
 
 void CppConstants::know_arguments(CppFunction& function) {

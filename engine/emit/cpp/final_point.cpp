@@ -121,7 +121,7 @@ std::string CppCourse::constants() const {
     return text + fmt::format("if constexpr (!std::is_same_v<Number, Real>) {{\n"
                               "                    {};\n                }}\n"
                               "                const auto& known = constants(course);\n",
-                              compute(plan_.whole_rates_read_some() ? "phase_constants" : "constants"));
+                              compute(plan_.rate_constants()));
 }
 
 // The type of the constants that are not in Real.
@@ -129,7 +129,7 @@ std::string CppCourse::own_constants() const {
     if (plan_.main_rates_read_some())
         return "std::conditional_t<resonform::divides_rates<Number, Real>, PhaseConstants<Number>, "
                "Constants<Number>>";
-    return plan_.whole_rates_read_some() ? "PhaseConstants<Number>" : "Constants<Number>";
+    return fmt::format("{}<Number>", plan_.rate_constants_type());
 }
 
 std::string CppCourse::arguments() const {

@@ -105,6 +105,14 @@ struct CppPlan {
     [[nodiscard]] bool main_rates_read_some() const {
         return !phase_constants.empty() && divides_rates(true);
     }
+    // What whole rates read in more digits than Real has: the functions that compute and keep it end so, and
+    // its type.
+    [[nodiscard]] const char* rate_constants() const {
+        return whole_rates_read_some() ? "phase_constants" : "constants";
+    }
+    [[nodiscard]] const char* rate_constants_type() const {
+        return whole_rates_read_some() ? "PhaseConstants" : "Constants";
+    }
     // Members that must lie within the range of the real type, with the text that an evaluator reports if one
     // does not: "C_delta", "c_12 in psi_3". The others are conditions, of which only the sign matters.
     std::vector<std::pair<StraightLine::Value, std::string>> kept;

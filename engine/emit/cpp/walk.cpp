@@ -124,6 +124,7 @@ public:
             if (k == first_steps) first_symbols_ = symbols_.size();
             if (!nesting.is_inner(walked[k])) put_step(walked[k], k);
         }
+        if (first_steps == walked.size()) first_symbols_ = symbols_.size();
         for (const Value v : roots) walk_.place_of[v] = places_.at(v);
         walk_.places = free_.used();
         const std::size_t most = std::max(walk_.places, numbers_.size());
@@ -163,15 +164,14 @@ private:
             text.clear();
         };
         for (std::size_t k = 0; k < symbols_.size(); ++k) {
-            if (k == first_symbols_ && k > 0) {
-                finish();
-                walk_.first_texts = walk_.texts.size();
-            }
-            if (text.size() > longest && begins_.contains(k)) finish();
+            const bool full = text.size() > longest && begins_.contains(k);
+            if (full || (k == first_symbols_ && k > 0)) finish();
+            if (k == first_symbols_) walk_.first_texts = walk_.texts.size();
             const auto& [is_digit, n] = symbols_[k];
             text += is_digit ? std::string(1, digit(n)) : in_digits(n, walk_.digits);
         }
         finish();
+        if (first_symbols_ == symbols_.size()) walk_.first_texts = walk_.texts.size();
     }
     void put_digit(std::size_t n) { symbols_.emplace_back(true, n); }
     void put_digits(std::size_t n, std::size_t count) {

@@ -22,7 +22,7 @@ struct CppWalk {
     std::string numbers;                                             // a list, as text
     std::size_t count = 0;                                           // of them
     std::vector<std::string> texts; // one after the other: of a length that every compiler takes
-    std::size_t first_texts = 0;    // so many lead to what is to come first
+    std::size_t first_texts = 0;    // the first so many compute all values asked for first
     std::map<StraightLine::Value, std::size_t> place_of; // of the roots
 
     // Places as text, for Walk::copy_to.
