@@ -83,12 +83,16 @@ template <class Read> auto read_list(const std::string& option, const std::strin
 
 } // namespace
 
+std::string as_found(const std::string& value) {
+    const bool shows = !value.empty() && value.front() != ' ' && value.back() != ' ';
+    return shows ? printable(value) : "'" + printable(value) + "'";
+}
+
 void bad_argument(const std::string& option, const std::string& rule, const std::optional<std::string>& value,
                   const std::string& hint) {
     Place place;
     place.key = option;
-    const std::string found = !value ? "" : value->empty() ? "''" : printable(*value);
-    bad_input(Reason::command_line, {rule, found, hint, place});
+    bad_input(Reason::command_line, {rule, value ? as_found(*value) : "", hint, place});
 }
 
 std::uint64_t read_integer(const std::string& option, const std::string& text, std::uint64_t lowest,

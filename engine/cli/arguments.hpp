@@ -14,6 +14,8 @@
 
 namespace resonform {
 
+// As a complaint tells it: in quotes, where it is empty or begins or ends with a space.
+std::string as_found(const std::string& value);
 // Refuses an argument, with its option as the place. nullopt: the option has no value at all; "" is an empty
 // one.
 [[noreturn]] void bad_argument(const std::string& option, const std::string& rule,

@@ -56,8 +56,10 @@ std::string see_help(const CLI::App& app) {
                                          fmt::format("write {} ... {}", full_name(app, chosen), word),
                                          {}});
     const std::string near = nearest(word, known);
-    bad_input(Reason::command_line,
-              {rule, word, near.empty() ? see_help(app) : fmt::format("did you mean {}?", near), {}});
+    bad_input(Reason::command_line, {rule,
+                                     remaining.empty() ? "" : as_found(word),
+                                     near.empty() ? see_help(app) : fmt::format("did you mean {}?", near),
+                                     {}});
 }
 
 // An option of several words takes all that follow, up to the next option: --set g=1 SYSTEM.

@@ -186,7 +186,9 @@ fs::path find_scene(const std::string& argument, const Home& home) {
     if (fs::is_regular_file(argument, ignored)) return argument;
     bad_input(Reason::file,
               {"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
-               fs::exists(argument, ignored) ? "no regular file" : "no such file",
+               argument.empty()                ? "''"
+               : fs::exists(argument, ignored) ? "no regular file"
+                                               : "no such file",
                question(scenes_like(argument, home)) + "All scenes: resonform list", whole_file(argument)});
 }
 

@@ -17,7 +17,7 @@
 namespace resonform {
 
 // Phases of double up to this are summed in long double, where that has the digits.
-inline constexpr double quick_radians = 4096;
+inline constexpr double quick_radians = 2048;
 
 template <class Real> struct QuickNumberOf {
     static constexpr bool longer = std::is_same_v<Real, double> && math::digits<long double> >= 64;

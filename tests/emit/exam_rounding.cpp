@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace resonform {
 namespace {
 
@@ -25,9 +27,12 @@ struct Formulas {
         program.start.push_back({name, "", symbol, by_default});
         return symbol;
     }
-    double rounding_of(Graph::Node output) const {
+    // Where all that decays is gone: of the second sample.
+    RoundingOfOutput rounding_of(Graph::Node output, bool gone = false) const {
         StraightLine code(program);
-        return rounding_of_constants(program, code, {code.lower(output)});
+        const auto found = rounding_of_constants(program, code, {code.lower(output)});
+        EXPECT_EQ(found.size(), 2U);
+        return found[gone ? 1 : 0];
     }
 };
 
@@ -35,12 +40,36 @@ TEST(RoundingOfConstants, CountsByTheShareOfItsTerm) {
     Formulas f;
     const Graph::Node a = f.start("a"), b = f.start("b"), d = f.start("d"), y = f.start("y");
     const Graph::Node product = f.graph.multiply({a, b, d, f.T});
-    EXPECT_DOUBLE_EQ(f.rounding_of(product), 1); // two steps, of which one would be left
-    const double size = 0.75 * 0.75 * 0.75 * 0.75;
-    EXPECT_NEAR(f.rounding_of(f.graph.add({product, f.graph.multiply({f.T, f.T, y})})),
-                size / (size + 0.75 * 0.75 * 0.75), 1e-12);
-    EXPECT_EQ(f.rounding_of(f.graph.multiply({a, f.T})), 0);
-    EXPECT_EQ(f.rounding_of(f.graph.power(f.T, 9)), 0); // no constant
+    const RoundingOfOutput alone = f.rounding_of(product); // two steps of a constant, of which one is left
+    EXPECT_DOUBLE_EQ(alone.stepwise, std::sqrt(3));
+    EXPECT_DOUBLE_EQ(alone.once, std::sqrt(2));
+    const double size = 0.75 * 0.75 * 0.75 * 0.75, beside = 0.75 * 0.75 * 0.75;
+    const double share = size / (size + beside), rest = 1 - share;
+    const RoundingOfOutput sum = f.rounding_of(f.graph.add({product, f.graph.multiply({f.T, f.T, y})}));
+    EXPECT_NEAR(sum.stepwise, std::sqrt(1 + 3 * share * share + 2 * rest * rest), 1e-12);
+    EXPECT_NEAR(sum.once, std::sqrt(1 + 2 * share * share + 2 * rest * rest), 1e-12);
+}
+
+// What is in both factors of a square counts twice, not as two.
+TEST(RoundingOfConstants, OfOneValueInTwoPlacesAddUp) {
+    Formulas f;
+    const Graph::Node a = f.start("a"), b = f.start("b"), d = f.start("d");
+    const Graph::Node sum = f.graph.add({f.graph.multiply({a, b}), f.graph.multiply({d, f.T})});
+    EXPECT_NEAR(f.rounding_of(f.graph.multiply({sum, sum})).stepwise, std::sqrt(1 + 4 * (1 + 0.25 + 0.25)),
+                1e-12);
+}
+
+TEST(RoundingOfConstants, LooksAgainWhereWhatDecaysIsGone) {
+    Formulas f;
+    const Graph::Node a = f.start("a"), b = f.start("b"), d = f.start("d");
+    ProgramPhase layer;
+    layer.exponential = f.graph.symbol("exp_chi");
+    f.program.phases.push_back(layer);
+    const Graph::Node chi = f.program.phases.front().exponential;
+    const Graph::Node constant = f.graph.multiply({a, a, a, b, d}), decays = f.graph.multiply({a, chi});
+    const Graph::Node output = f.graph.add({decays, f.graph.multiply({constant, f.T})});
+    EXPECT_LT(f.rounding_of(output).stepwise, f.rounding_of(output, true).stepwise);
+    EXPECT_EQ(f.rounding_of(decays, true).stepwise, 0); // nothing is left to be wrong
 }
 
 // x0 + 8 x0^7: what the power loses does not matter where x0 is of order eps.
@@ -50,12 +79,17 @@ TEST(RoundingOfConstants, LooksAtStartsOfTheSizeOfTheirDefaults) {
         const Graph::Node x = f.start("x", is_small ? f.eps : f.graph.rational(1));
         const Graph::Node sum =
             f.graph.add({x, f.graph.multiply({f.graph.rational(8), f.graph.power(x, 7)})});
-        const double found = f.rounding_of(f.graph.multiply({sum, f.T}));
+        const RoundingOfOutput found = f.rounding_of(f.graph.multiply({sum, f.T}));
         if (is_small)
-            EXPECT_LT(found, 0.01);
+            EXPECT_LT(found.stepwise, std::sqrt(2) + 0.01);
         else
-            EXPECT_GT(found, 3);
+            EXPECT_GT(found.stepwise, 2);
     }
+}
+
+TEST(RoundingOfConstants, IsMuchOnlyWhereMoreDigitsHelp) {
+    EXPECT_TRUE(rounds_much({{1, 1}, {5, 3}}));
+    EXPECT_FALSE(rounds_much({{5, 5}, {3, 1}}));
 }
 
 TEST(StraightLine, ANegativePowerOfAConstantIsOneOverThatWhichIsThereToo) {

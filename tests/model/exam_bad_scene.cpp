@@ -91,7 +91,7 @@ const BadInput bad_scenes[] = {
      "2 scene.toml:5:11: outputs: 'outputs' is an array of variables, not empty\n"
      "    outputs = []\n"
      "              ^\n"
-     "  found: an array\n"
+     "  found: an empty array\n"
      "  hint:  write outputs = [\"psi\"]"},
     {"OutputsNoArray", "[\"psi\", \"x\", \"y\"]", "\"psi\"",
      "2 scene.toml:5:12: outputs: 'outputs' is an array of variables, not empty\n"

@@ -36,8 +36,7 @@ CppPlan::CppPlan(const Program& p, const std::vector<CppCallable>& beside) : pro
     find_phase_constants();
     std::vector<Value> results;
     for (const CppResult& result : outputs) results.push_back(result.value);
-    constexpr double much = 12.1; // half-ulp, of which about a quarter is found; no whole number: none is met
-    fine_constants = !range.native && rounding_of_constants(p, code, results) > much;
+    fine_constants = !range.native && rounds_much(rounding_of_constants(p, code, results));
 }
 
 // Of the results, which have been lowered, and of the start.

@@ -15,97 +15,131 @@ using Value = StraightLine::Value;
 
 constexpr double small = 1e-3;   // eps
 constexpr double typical = 0.75; // symbols without a default, cosines and sines
-constexpr double of_function = 2;
 
-struct Rounded {
-    double size = 0, error = 0; // of a sum: that of its terms; in units of it
-};
-
-Rounded sum_of(const std::vector<Rounded>& terms) {
-    Rounded sum;
-    for (const Rounded& x : terms) {
-        sum.size += x.size;
-        sum.error += x.size * x.error;
-    }
-    if (sum.size > 0) sum.error /= sum.size;
-    return {sum.size, sum.error + static_cast<double>(terms.size()) - 1};
-}
-
-Rounded product_of(const std::vector<Rounded>& factors) {
-    Rounded product{1, static_cast<double>(factors.size()) - 1};
-    for (const Rounded& x : factors) {
-        product.size *= x.size;
-        product.error += x.error;
-    }
-    return product;
-}
-
-Rounded step(const StraightLine::Instruction& i, const std::vector<Rounded>& x, double symbol) {
+// Of a sum: that of its terms.
+double size_of(const StraightLine::Instruction& i, const std::vector<double>& x, double symbol) {
+    double size = i.op == Op::multiply ? 1 : 0;
     switch (i.op) {
-    case Op::number: return {std::fabs(cln::double_approx(i.number)), 0};
-    case Op::symbol: return {symbol, 0};
-    case Op::add: return sum_of(x);
-    case Op::multiply: return product_of(x);
-    case Op::reciprocal: return {x[0].size > 0 ? 1 / x[0].size : 1, x[0].error + 1};
-    case Op::root: return {std::pow(x[0].size, 1.0 / i.index), x[0].error / i.index + 1};
-    case Op::doubled: return {x[0].size, 1};
+    case Op::number: return std::fabs(cln::double_approx(i.number));
+    case Op::symbol: return symbol;
+    case Op::add:
+        for (const double term : x) size += term;
+        return size;
+    case Op::multiply:
+        for (const double factor : x) size *= factor;
+        return size;
+    case Op::reciprocal: return x[0] > 0 ? 1 / x[0] : 1;
+    case Op::root: return std::pow(x[0], 1.0 / i.index);
+    case Op::doubled: return x[0];
     case Op::function: break;
     }
-    Rounded result{typical, of_function};
-    for (const Rounded& argument : x) result.error = std::max(result.error, of_function + argument.error);
-    if (i.function == Graph::Op::sqrt_sum_squares) result.size = std::hypot(x[0].size, x[1].size);
-    return result;
+    return i.function == Graph::Op::sqrt_sum_squares ? std::hypot(x[0], x[1]) : typical;
+}
+
+// How many units u a step adds, each independent of the others.
+double units_of(const StraightLine::Instruction& i) {
+    switch (i.op) {
+    case Op::number:
+    case Op::symbol: return 0;
+    case Op::add:
+    case Op::multiply: return static_cast<double>(i.operands.size()) - 1;
+    case Op::function: return 2;
+    default: return 1;
+    }
 }
 
 class Roundings {
 public:
-    // once: each constant is rounded once, whatever it is made of.
-    Roundings(const StraightLine& code, Graph::Node eps, bool once)
-        : code_(code), once_(once), symbols_{{eps, small}}, values_(code.size()) {}
+    Roundings(const StraightLine& code, Graph::Node eps)
+        : code_(code), symbols_{{eps, small}}, sizes_(code.size()) {}
+
+    void set(Graph::Node symbol, double size) { symbols_[symbol] = size; }
 
     // Start values are taken to be as large as their defaults, or as eps where the default is 0.
     void take(Graph::Node symbol, Value by_default) {
         add({by_default});
-        const double size = values_[static_cast<std::size_t>(by_default)].size;
+        const double size = size_at(by_default);
         symbols_[symbol] = size > 0 ? size : small;
     }
 
     void add(const std::vector<Value>& roots) {
         for (const Value v : code_.behind(roots, true)) {
             const StraightLine::Instruction& i = code_.at(v);
-            std::vector<Rounded> operands;
-            for (const Value operand : i.operands)
-                operands.push_back(values_[static_cast<std::size_t>(operand)]);
+            std::vector<double> operands;
+            for (const Value operand : i.operands) operands.push_back(size_at(operand));
             const auto known = symbols_.find(i.symbol);
-            Rounded& value = values_[static_cast<std::size_t>(v)];
-            value = step(i, operands, known == symbols_.end() ? typical : known->second);
-            if (once_ && !i.varying) value.error = std::min(1.0, value.error);
+            sizes_[static_cast<std::size_t>(v)] =
+                size_of(i, operands, known == symbols_.end() ? typical : known->second);
         }
     }
 
-    [[nodiscard]] double error(Value v) const { return values_[static_cast<std::size_t>(v)].error; }
+    // Of an output that has been added; once: each constant is rounded once, whatever it is made of.
+    [[nodiscard]] RoundingOfOutput of(Value output) const {
+        const std::vector<Value> steps = code_.behind({output}, true);
+        std::vector<double> share(code_.size()), of_calls(code_.size());
+        share[static_cast<std::size_t>(output)] = of_calls[static_cast<std::size_t>(output)] = 1;
+        RoundingOfOutput result;
+        if (size_at(output) == 0) return result;
+        for (std::size_t k = steps.size(); k-- > 0;) {
+            const Value v = steps[k];
+            const StraightLine::Instruction& i = code_.at(v);
+            const double all = share[static_cast<std::size_t>(v)],
+                         own = of_calls[static_cast<std::size_t>(v)];
+            const double units = units_of(i);
+            result.stepwise += units * all * all;
+            result.once += (i.varying ? units : std::fmin(1, units)) * own * own;
+            for (const Value operand : i.operands) {
+                const double weight = weight_of(i, operand, v);
+                share[static_cast<std::size_t>(operand)] += all * weight;
+                if (i.varying) of_calls[static_cast<std::size_t>(operand)] += own * weight;
+            }
+        }
+        result.stepwise = std::sqrt(result.stepwise);
+        result.once = std::sqrt(result.once);
+        return result;
+    }
 
 private:
+    [[nodiscard]] double size_at(Value v) const { return sizes_[static_cast<std::size_t>(v)]; }
+    // How far a relative error of the operand is one of the value.
+    [[nodiscard]] double weight_of(const StraightLine::Instruction& i, Value operand, Value v) const {
+        switch (i.op) {
+        case Op::add: return size_at(v) > 0 ? size_at(operand) / size_at(v) : 0;
+        case Op::root: return 1.0 / i.index;
+        case Op::doubled: return 0;
+        default: return 1;
+        }
+    }
+
     const StraightLine& code_;
-    bool once_;
     std::map<Graph::Node, double> symbols_;
-    std::vector<Rounded> values_;
+    std::vector<double> sizes_;
 };
 
 } // namespace
 
-double rounding_of_constants(const Program& program, StraightLine& code, const std::vector<Value>& outputs) {
+std::vector<RoundingOfOutput> rounding_of_constants(const Program& program, StraightLine& code,
+                                                    const std::vector<Value>& outputs) {
     std::vector<std::pair<Graph::Node, Value>> defaults;
     for (const ProgramInput& input : program.start)
         if (input.default_value >= 0) defaults.emplace_back(input.symbol, code.lower(input.default_value));
-    Roundings all(code, program.eps, false), once(code, program.eps, true);
-    for (Roundings* roundings : {&all, &once}) {
-        for (const auto& [symbol, value] : defaults) roundings->take(symbol, value);
-        roundings->add(outputs);
+    std::vector<RoundingOfOutput> result;
+    for (const double left : {typical, 0.0}) {
+        Roundings roundings(code, program.eps);
+        for (const ProgramPhase& phase : program.phases)
+            if (phase.decays()) roundings.set(phase.exponential, left);
+        for (const auto& [symbol, value] : defaults) roundings.take(symbol, value);
+        roundings.add(outputs);
+        for (const Value v : outputs) result.push_back(roundings.of(v));
     }
-    double worst = 0;
-    for (const Value v : outputs) worst = std::max(worst, all.error(v) - once.error(v));
-    return worst;
+    return result;
+}
+
+bool rounds_much(const std::vector<RoundingOfOutput>& roundings) {
+    constexpr double much = 3.5, gain = 0.85;
+    return std::any_of(roundings.begin(), roundings.end(), [](const RoundingOfOutput& r) {
+        return r.stepwise > much && r.once < gain * r.stepwise;
+    });
 }
 
 } // namespace resonform

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far are outputs off because constants are rounded step by step, not once? First-order error analysis
-// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, chapter 3) at one sample of the arguments:
-// each step adds a unit u = 2^-digits, and an error counts in a sum by the share of its term:
+// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, chapter 3) at a sample of the arguments:
+// step k adds n_k independent units u = 2^-digits, and an error of it counts in an output by the share of
+// what it stands in, twice in a square:
 //
-//   c = a b d, x = c T + y   ->   two steps of c, less the one that is left: |c T|/(|c T| + |y|) u
+//   rounding^2 = sum_k n_k (d log output/d log step_k)^2 u^2,   output: the sum of the sizes of its terms
 #pragma once
 
 #include "emit/program/straight_line.hpp"
@@ -12,9 +13,17 @@
 
 namespace resonform {
 
-// The largest such error of the outputs, in units u of the sum of the sizes of their terms, where eps is
-// 1/1000 and the start that by default.
-double rounding_of_constants(const Program& program, StraightLine& code,
-                             const std::vector<StraightLine::Value>& outputs);
+// In units u: each step computed as it is, and each constant rounded once, whatever it is made of.
+struct RoundingOfOutput {
+    double stepwise = 0, once = 0;
+};
+
+// Of the outputs where eps is 1/1000 and the start that by default, and again where all that decays is gone.
+std::vector<RoundingOfOutput> rounding_of_constants(const Program& program, StraightLine& code,
+                                                    const std::vector<StraightLine::Value>& outputs);
+
+// Whether constants in more digits are worth their time: without them an output loses more than others do
+// without constants.
+bool rounds_much(const std::vector<RoundingOfOutput>& roundings);
 
 } // namespace resonform

@@ -91,7 +91,11 @@ std::vector<GivenRelation> SystemReader::relation_values() const {
     Scope scope;
     for (const Parameter& p : system_.parameters) {
         names.push_back(p.name);
-        if (relations->find(p.name) == nullptr) scope.define(p.name, p.symbol);
+        if (relations->find(p.name) == nullptr)
+            scope.define(p.name, p.symbol);
+        else
+            scope.withhold(p.name, "a relation reads a parameter that [relations] gives",
+                           "write " + in_quotes(p.name) + " by the parameters that none gives");
     }
     scope.define("eps", system_.eps);
     std::vector<GivenRelation> values;

@@ -197,6 +197,8 @@ void Parser::unknown_name(const Token& token) const {
             "tau' = eps",
             Reason::name);
     }
+    if (const Scope::Withheld* withheld = scope_.withheld(name))
+        complain(token.begin, token.end, withheld->rule, withheld->hint, Reason::name);
     if (name == "E" || name == "e") {
         complain(token.begin, token.end, "unknown symbol", "write exp(1)", Reason::name);
     }

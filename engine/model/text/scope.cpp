@@ -23,6 +23,11 @@ const Scope::Data* Scope::data_of(const std::string& function) const {
     return found == data_.end() ? nullptr : &found->second;
 }
 
+const Scope::Withheld* Scope::withheld(const std::string& name) const {
+    const auto found = withheld_.find(name);
+    return found == withheld_.end() ? nullptr : &found->second;
+}
+
 const GiNaC::ex* Scope::find(const std::string& name, int primes) const {
     const auto found = values_.find({name, primes});
     return found == values_.end() ? nullptr : &found->second;

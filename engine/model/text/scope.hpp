@@ -31,6 +31,15 @@ public:
         functions_[name] = std::nullopt;
         data_[name] = {of, std::move(data)};
     }
+    // A name that the file knows, though not here: using it is told by this rule and this hint.
+    void withhold(const std::string& name, const std::string& rule, const std::string& hint) {
+        withheld_[name] = {rule, hint};
+    }
+    struct Withheld {
+        std::string rule, hint;
+    };
+    // nullptr: it is not withheld.
+    [[nodiscard]] const Withheld* withheld(const std::string& name) const;
     [[nodiscard]] bool is_function(const std::string& name) const { return functions_.count(name) != 0; }
     // nullptr: it is known by its name only.
     [[nodiscard]] const FunctionValue* value_of(const std::string& function) const;
@@ -48,6 +57,7 @@ private:
     std::map<std::pair<std::string, int>, GiNaC::ex> values_;
     std::map<std::string, std::optional<FunctionValue>> functions_;
     std::map<std::string, Data> data_;
+    std::map<std::string, Withheld> withheld_;
 };
 
 // The limits on one expression. All are checked before GiNaC evaluates anything.

@@ -15,7 +15,7 @@ namespace {
 std::string describe(const TomlNode& node) {
     switch (node.type) {
     case TomlNode::Type::string: return "\"" + excerpt(node.text) + "\"";
-    case TomlNode::Type::array: return "an array";
+    case TomlNode::Type::array: return node.items.empty() ? "an empty array" : "an array";
     case TomlNode::Type::table: return "a table";
     default: return excerpt(node.text);
     }

@@ -18,7 +18,9 @@
 #include "runtime/kernel/scene.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -28,12 +30,19 @@ namespace resonform::kernel {
 inline constexpr double negligible = 1.5e-17; // of the scale of an output
 inline constexpr int weak_level = 6;          // of panels that are not halved for their scale any more
 
+// Products with small multiples of powers of 2 are exact.
+inline double in_26_bits(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & (~std::uint64_t{0} << 27));
+}
+
 template <std::size_t Rows> class AmplitudeFit {
     static constexpr std::size_t sides = (Rows + group - 1) / group;
 
 public:
     struct Piece { // of eight rows
-        std::size_t first, size, base;
+        std::size_t first, size;
+        std::size_t chord;   // its number
+        double middle, half; // of the piece, as its panel goes from -1 to 1
     };
     std::vector<std::size_t> kept;  // rows, in the order of their places
     std::vector<unsigned> degree;   // of each place
@@ -69,19 +78,21 @@ public:
         coefficients.reserve(piece.size() * 10);
         degree.assign(kept.size(), 0);
         std::array<Side, nodes> c;
-        base_.clear();
+        chords_.clear();
         for (const Panel& p : panels_) {
-            const std::size_t base = base_.size();
-            base_.resize(base + groups);
-            for (std::size_t place = 0; place < kept.size(); ++place)
-                base_[base + place / group].at[place % group] = p.base[kept[place]];
+            const std::size_t first = chords_.size();
+            chords_.resize(first + groups);
+            for (std::size_t place = 0; place < kept.size(); ++place) {
+                chords_[first + place / group].middle.at[place % group] = p.middle[kept[place]];
+                chords_[first + place / group].slope.at[place % group] = p.slope[kept[place]];
+            }
             for (std::size_t g = 0; g < groups; ++g) {
                 for (std::size_t j = 0; j < nodes; ++j)
                     for (std::size_t l = 0; l < group; ++l) {
                         const std::size_t place = g * group + l;
                         c[j].at[l] = place < kept.size() ? p.at(j, kept[place]) : 0;
                     }
-                descend(c.data(), nodes, g, p, p.level, p.index, levels, base);
+                descend(c.data(), nodes, g, p, p.level, p.index, levels, first);
             }
         }
     }
@@ -107,9 +118,17 @@ public:
         for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l)
             for (std::size_t j = degree[g * group + l] + 1; j < p.size; ++j) c[j].at[l] = 0;
         to_powers(c.data(), p.size);
+        const Chords& chord = chords_[p.chord + g];
+        for (std::size_t l = 0; l < group; ++l) {
+            // The product is exact, and so is the sum with what it loses.
+            const double up = chord.slope.at[l] * p.middle, middle_of_panel = chord.middle.at[l];
+            const double sum = middle_of_panel + up, part = sum - middle_of_panel;
+            c[0].at[l] = sum + ((middle_of_panel - (sum - part)) + (up - part) + c[0].at[l]);
+            if (p.size > 1 && g * group + l < kept.size() && degree[g * group + l] > 0)
+                c[1].at[l] += chord.slope.at[l] * p.half;
+        }
         double power = 1;
         for (std::size_t j = 1; j < p.size; ++j) c[j] = c[j] * (power /= middle);
-        for (std::size_t l = 0; l < group; ++l) c[0].at[l] += base_[p.base + g].at[l];
     }
 
     // The places, those of small rows first: sums in this order round less.
@@ -134,11 +153,15 @@ private:
         int level;
         std::size_t index;
         std::array<std::array<Side, sides>, nodes> c;
-        std::array<double, Rows>
-            base; // of each row its value in the middle, which is not in c: the small rest rounds less
+        // Of each row the chord middle + slope x, -1 <= x <= 1, is not in c: what is left is small where the
+        // row becomes small, too, and rounds less.
+        std::array<double, Rows> middle, slope;
         std::array<double, Rows> scale{}; // of each part, the smallest in the panel
         bool weak = false;
         double at(std::size_t j, std::size_t row) const { return c[j][row / group].at[row % group]; }
+        // Of the chord, what belongs to coefficient j.
+        double slope_at(std::size_t j, std::size_t row) const { return j == 1 ? std::abs(slope[row]) : 0; }
+        double size_of_chord(std::size_t row) const { return std::abs(middle[row]) + std::abs(slope[row]); }
     };
 
     template <class Amplitudes, class Sizes>
@@ -156,7 +179,7 @@ private:
                 values[r][j] = at[r];
             }
         }
-        panels_.push_back({level, index, {}, {}, {}, false});
+        panels_.push_back({level, index, {}, {}, {}, {}, false});
         Panel& p = panels_.back();
         const bool even = set_scale(values, sizes, p);
         if (status != Status::ok) return;
@@ -165,21 +188,28 @@ private:
             deepest = std::max(deepest, level);
             return;
         }
-        for (std::size_t r = 0; r < Rows; ++r) p.base[r] = static_cast<double>(values[r][nodes / 2]);
+        for (std::size_t r = 0; r < Rows; ++r) {
+            const Fine first = values[r][0], last = values[r][nodes - 1]; // at node(0) = -node(nodes - 1)
+            p.middle[r] = static_cast<double>((first + last) / 2);
+            p.slope[r] = in_26_bits(static_cast<double>(first - last) / (2 * node<double>(0)));
+        }
+        std::array<Fine, nodes> x;
+        for (std::size_t j = 0; j < nodes; ++j) x[j] = node<Fine>(j);
         for (std::size_t s = 0; s < sides; ++s) {
             std::array<Side, nodes> rest{};
             for (std::size_t r = s * group; r < std::min((s + 1) * group, Rows); ++r)
                 for (std::size_t j = 0; j < nodes; ++j)
-                    rest[j].at[r % group] = static_cast<double>(values[r][j] - Fine(p.base[r]));
+                    rest[j].at[r % group] =
+                        static_cast<double>(values[r][j] - (Fine(p.middle[r]) + Fine(p.slope[r]) * x[j]));
             const auto c = interpolated<double>(rest);
             for (std::size_t k = 0; k < nodes; ++k) p.c[k][s] = c[k];
         }
         double worst = 0; // the last coefficients over their tolerance
         for (std::size_t r = 0; r < Rows; ++r) {
-            double most = std::abs(p.base[r]);
+            double most = 0;
             for (std::size_t k = 0; k < nodes; ++k) most = std::max(most, std::abs(p.at(k, r)));
             const double tail = std::max(std::abs(p.at(nodes - 1, r)), std::abs(p.at(nodes - 2, r)));
-            worst = std::max(worst, tail / std::max(2e-16 * most, negligible * p.scale[part_[r]]));
+            worst = std::max(worst, tail / std::max(2e-16 * most, 8 * negligible * p.scale[part_[r]]));
         }
         if (even && (worst <= 1 || (worst < 1e3 && parent >= 0 && parent < 4 * worst))) {
             deepest = std::max(deepest, level);
@@ -222,7 +252,7 @@ private:
     // False: the size of an output changes by more than a factor of 4.
     template <class Sizes> bool set_sizes(const Values& values, const Sizes& sizes, Panel& panel) {
         bool even = true;
-        decltype(sizes(panel.base)) least{}, most{};
+        decltype(sizes(panel.scale)) least{}, most{};
         for (std::size_t j = 0; j < nodes; ++j) {
             std::array<double, Rows> at{};
             for (std::size_t r = 0; r < Rows; ++r) {
@@ -248,7 +278,7 @@ private:
             for (Panel& p : panels_) {
                 if (p.weak) continue;
                 const double scale = p.scale[part_[r]];
-                double most = std::abs(p.base[r]), sum = most;
+                double most = 0, sum = p.size_of_chord(r);
                 for (std::size_t k = 0; k < nodes; ++k) {
                     most = std::max(most, std::abs(p.at(k, r)));
                     sum += std::abs(p.at(k, r));
@@ -257,7 +287,8 @@ private:
                 if (!(sum > negligible * scale)) continue;
                 std::size_t count = nodes; // the rounding of a row is not worth a coefficient
                 const double allowed = std::max(negligible / 2 * scale, 3e-17 * most);
-                while (count > 1 && std::abs(p.at(count - 1, r)) < allowed) --count;
+                while (count > 1 && std::abs(p.at(count - 1, r)) + p.slope_at(count - 1, r) < allowed)
+                    --count;
                 for (std::size_t k = count; k < nodes; ++k) p.c[k][r / group].at[r % group] = 0;
                 length[r] = std::max(length[r], count);
             }
@@ -269,36 +300,46 @@ private:
     }
 
     void descend(const Side* c, std::size_t size, std::size_t g, const Panel& panel, int level,
-                 std::size_t index, int levels, std::size_t base) {
+                 std::size_t index, int levels, std::size_t chord) {
         size = panel.weak ? 1 : cut(c, size, g, panel);
         if (level == levels) {
-            piece[index * groups + g] = {coefficients.size(), size, base};
+            const double half = std::ldexp(1.0, panel.level - levels);
+            const std::size_t before = index - (panel.index << (levels - panel.level));
+            const Piece& own = piece[index * groups + g] = {
+                coefficients.size(), size, chord, (2 * static_cast<double>(before) + 1) * half - 1, half};
             coefficients.insert(coefficients.end(), c, c + size);
             for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l) {
                 const double allowed = negligible * scale_of(panel, g * group + l);
                 double rest = 0;
                 std::size_t d = size;
-                while (d > 1 && rest + std::abs(c[d - 1].at[l]) <= allowed) rest += std::abs(c[--d].at[l]);
+                const auto size_at = [&](std::size_t j) {
+                    return std::abs(c[j].at[l]) + own.half * panel.slope_at(j, kept[g * group + l]);
+                };
+                while (d > 1 && rest + size_at(d - 1) <= allowed) rest += size_at(--d);
                 degree[g * group + l] = std::max(degree[g * group + l], static_cast<unsigned>(d - 1));
             }
             return;
         }
         std::array<Side, nodes> left, right;
         halve(c, size, left.data(), right.data());
-        descend(left.data(), size, g, panel, level + 1, 2 * index, levels, base);
-        descend(right.data(), size, g, panel, level + 1, 2 * index + 1, levels, base);
+        descend(left.data(), size, g, panel, level + 1, 2 * index, levels, chord);
+        descend(right.data(), size, g, panel, level + 1, 2 * index + 1, levels, chord);
     }
     double scale_of(const Panel& panel, std::size_t place) const { return panel.scale[part_[kept[place]]]; }
     std::size_t cut(const Side* c, std::size_t size, std::size_t g, const Panel& panel) const {
         for (; size > 1; --size)
             for (std::size_t l = 0; l < group && g * group + l < kept.size(); ++l)
-                if (std::abs(c[size - 1].at[l]) > 0.02 * negligible * scale_of(panel, g * group + l))
+                if (std::abs(c[size - 1].at[l]) + panel.slope_at(size - 1, kept[g * group + l]) >
+                    0.02 * negligible * scale_of(panel, g * group + l))
                     return size;
         return size;
     }
 
     Values values_ = Values(Rows); // at the nodes of one panel
-    std::vector<Side> base_;
+    struct Chords {                // of the rows of a group in a panel
+        Side middle, slope;
+    };
+    std::vector<Chords> chords_;
     std::array<double, Rows> size_{}; // of each row, the largest in its panels
     std::array<unsigned, Rows> part_{};
     std::vector<unsigned> parts_;               // each by its first row

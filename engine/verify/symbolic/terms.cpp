@@ -167,12 +167,12 @@ const ComplexNumber<Number>& SymbolicValues<Number>::power(GeneratorId id, int e
     return nth_power(e.below, Complex(e.below.front()), -exponent);
 }
 
-template <class Number>
-const Number& SymbolicValues<Number>::scale_power(GeneratorId id, int exponent) const {
+template <class Number> Number SymbolicValues<Number>::scale_power(GeneratorId id, int exponent) const {
     const Entry& e = at(id);
     if (exponent > 0) return nth_power(e.scales_above, e.scale, exponent);
     if (e.scales_below.empty()) e.scales_below.push_back(1 / e.value.size());
-    return nth_power(e.scales_below, Number(e.scales_below.front()), -exponent);
+    const Number& power = nth_power(e.scales_below, Number(e.scales_below.front()), -exponent);
+    return e.condition > 1 ? Number(power * (1 - exponent * (e.condition - 1))) : power;
 }
 
 template <class Number>

@@ -136,7 +136,7 @@ template <class Number> class SymbolicValues {
 public:
     using Complex = ComplexNumber<Number>;
     explicit SymbolicValues(int generators) : entries_(static_cast<std::size_t>(generators)) {}
-    template <class Other> explicit SymbolicValues(const SymbolicValues<Other>& other) {
+    template <class Other> explicit SymbolicValues(const SymbolicValues<Other>& other) { // of constants
         for (std::size_t k = 0; k < other.size(); ++k) {
             const auto id = static_cast<GeneratorId>(k);
             entries_.push_back({{narrowed<Number>(other[id].re), narrowed<Number>(other[id].im)},
@@ -153,12 +153,16 @@ public:
         entries_[static_cast<std::size_t>(id)] = {value, scale, {}, {}, {}, {}};
     }
     void set(GeneratorId id, const Number& value) { set(id, {value, 0}, math::magnitude(value)); }
+    // Of a divisor: last places of what it is made of are worth this many of its own, >= 1.
+    void set_condition(GeneratorId id, const Number& condition) {
+        entries_[static_cast<std::size_t>(id)].condition = condition;
+    }
     [[nodiscard]] std::size_t size() const { return entries_.size(); }
     [[nodiscard]] const Complex& operator[](GeneratorId id) const { return at(id).value; }
     [[nodiscard]] const Number& scale(GeneratorId id) const { return at(id).scale; }
     [[nodiscard]] const Complex& power(GeneratorId id, int exponent) const;
-    // In a denominator the value itself is used.
-    [[nodiscard]] const Number& scale_power(GeneratorId id, int exponent) const;
+    // In a denominator the value itself is used, times what its condition makes of the power.
+    [[nodiscard]] Number scale_power(GeneratorId id, int exponent) const;
 
 private:
     struct Entry {
@@ -166,6 +170,7 @@ private:
         Number scale = 0;
         mutable std::vector<Complex> above, below; // powers 1, 2, ... and -1, -2, ...
         mutable std::vector<Number> scales_above, scales_below;
+        Number condition = 1;
     };
     [[nodiscard]] const Entry& at(GeneratorId id) const { return entries_[static_cast<std::size_t>(id)]; }
     std::vector<Entry> entries_;
