@@ -81,8 +81,7 @@ void Watch::print() {
     go_on_with("what is printed");
     const std::lock_guard lock(mutex_);
     if (const std::optional<Diagnostic> found = excess()) refuse(*found);
-    begin_ = std::chrono::steady_clock::now();
-    what_ = "printing it";
+    what_ = "a derivation with its printing";
 }
 
 void Watch::reached(const Rational& weight, const Rational& next, std::size_t terms) {

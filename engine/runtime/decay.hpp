@@ -34,9 +34,9 @@ template <class Real, class Number> Real exponential(const Number& x) {
     return value + value * low;
 }
 
-// A power of e below this counts beside nothing. What is left without it may be small itself: of an output
-// that is forced at a high weight alone, a high power of eps.
-inline constexpr double faded_power = 0x1p-1000;
+// A power of e below this is answered by 0, as tables do (runtime/kernel/block.hpp). Above it counts: what is
+// left without it may be 0, or as small, and it is a number to a call.
+inline constexpr double faded_power = 0x1p-1021;
 
 // Of all that decays with these powers of e nothing is left that a phase beside them could turn.
 template <class Real, class... More> bool faded(const Real& power, const More&... more) {

@@ -132,7 +132,7 @@ struct Ensemble {
             std::array<std::array<Real, lanes>, Count> numbers;
             std::size_t rest = (std::size_t(1) << count) - 1; // members that are not answered
             if constexpr (std::is_same_v<Real, double> && Single::Course::packs) {
-                if (members.eps != nullptr) {
+                if (members.eps != nullptr && t != nullptr) {
                     const Gathered<Packed> some = gather<Single, Packed>(members, t, i, count);
                     bool full_phase = false;
                     if constexpr (requires { members.full_phase; }) full_phase = members.full_phase;
@@ -199,7 +199,8 @@ private:
         typename Single::Start start;
         arguments<Single>(members, i, eps, parameters, start);
         typename Single::Values values;
-        const Status status = Single::at_end(eps, parameters, start, t[i], values);
+        const Status status = Single::at_end(
+            eps, parameters, start, t == nullptr ? math::not_a_number<Real>() : t[i], values);
         std::array<Real, Count> list;
         Single::list(values, list.data());
         for (std::size_t k = 0; k < Count; ++k) numbers[k][lane] = list[k];

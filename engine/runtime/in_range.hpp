@@ -49,7 +49,7 @@ private:
 // The same for double: one register instead of the whole environment, which takes ten times as long.
 class DoubleRangeNotes {
 public:
-    DoubleRangeNotes() { _mm_setcsr((before_ & ~_MM_EXCEPT_MASK) | _MM_MASK_MASK); }
+    DoubleRangeNotes() { _mm_setcsr((before_ & ~unsigned{_MM_EXCEPT_MASK}) | unsigned{_MM_MASK_MASK}); }
     DoubleRangeNotes(const DoubleRangeNotes&) = delete;
     DoubleRangeNotes& operator=(const DoubleRangeNotes&) = delete;
     ~DoubleRangeNotes() { _mm_setcsr(before_); }

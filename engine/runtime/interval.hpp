@@ -12,6 +12,16 @@ namespace resonform {
 template <class Real> class Interval {
 public:
     Interval() = default;
+    Interval(const Interval&) = default;
+    Interval& operator=(const Interval&) = default;
+    ~Interval() = default;
+    // What has been moved from answers for no time: its evaluator has no tables any more.
+    Interval(Interval&& other) noexcept : Interval(static_cast<const Interval&>(other)) { other.end_ = Real(-1); }
+    Interval& operator=(Interval&& other) noexcept {
+        *this = static_cast<const Interval&>(other);
+        if (this != &other) other.end_ = Real(-1);
+        return *this;
+    }
     // Precondition: check(eps, end) finds nothing.
     Interval(const Real& eps, const Real& end)
         : eps_(eps), end_(end + Real(4) * math::epsilon<Real>() * end), reach_(end_) {}

@@ -110,7 +110,7 @@ public:
         Arguments a;
         const Status located = locate_end(eps, parameters, start, t, c, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        if (!answers) { // what the tables of an evaluator say
+        if (!answers && located != Status::bad_argument) { // what the tables of an evaluator say
             const Real end = eps * t, least = Real(1e-249);
             return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
         }
@@ -413,21 +413,20 @@ private:
     template <class Number, class Constant> static std::array<Number, 2> layers(
             const Constants<Constant>& c, const Number& T) {
         const Number tau = T + c.tau_0;
-        const Number q_1 = exp(tau);
-        const Number q_2 = Number(3) * tau;
-        const Number s = q_1 * (cos(q_2) + Number(4)) + Number(2);
-        const Number q_3 = per(q_1);
-        const Number q_4 = q_3 * q_3 * (s * s);
-        const Number q_5 = q_3 * (-c.c_14 * sin(q_2) * q_1 - c.c_31);
-        return {Number(q_4 + q_5), Number(q_4 - q_5)};
+        const Number q_1 = Number(3) * tau;
+        const Number s = exp(tau) * (cos(q_1) + Number(4)) + Number(2);
+        const Number q_2 = c.c_14 * sin(q_1);
+        const Number q_3 = exp(Number(-tau));
+        const Number q_4 = s * s * (q_3 * q_3);
+        const Number q_5 = c.c_31 * q_3;
+        return {Number(q_4 - q_2 - q_5), Number(q_4 - (-q_2 - q_5))};
     }
 
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(const Some& c, const Number& T) {
         const Number tau = T + c.tau_0;
-        const Number q_1 = exp(tau);
-        const Number s = q_1 * (cos(Number(Number(3) * tau)) + Number(4)) + Number(2);
-        return c.c_17 * s * per(q_1);
+        const Number s = exp(tau) * (cos(Number(Number(3) * tau)) + Number(4)) + Number(2);
+        return c.c_17 * s * exp(Number(-tau));
     }
 
     // What differs from call to call.

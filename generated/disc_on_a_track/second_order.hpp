@@ -132,7 +132,7 @@ public:
         Arguments a;
         const Status located = locate_end(eps, parameters, start, t, c, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        if (!answers) { // what the tables of an evaluator say
+        if (!answers && located != Status::bad_argument) { // what the tables of an evaluator say
             const Real end = eps * t, least = Real(1e-249);
             return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
         }
@@ -194,8 +194,8 @@ private:
         Number u_x;
         Number c_4;
         Number c_5;
-        Number v_x;
         Number c_6;
+        Number v_x;
         Number c_7;
         Number c_8;
         Number c_9;
@@ -239,54 +239,57 @@ private:
         const Number x_dot_0 = Number(start.x_dot_0);
         const Number k_5 = c.c_1 * (x_0 * (-k_2 - k_4) - c.c_3 * x_dot_0 * c.theta_0 * theta_dot_0);
         c.u_x = x_0 + k_5;
+        c.c_4 = Number(1) / Number(6);
         const Number k_6 = sqrt(Number(Number(3) / Number(2)));
-        c.c_4 = Number(1) / Number(4);
-        const Number k_7 = c.c_4 * k_1;
-        const Number k_8 = Number(3) / Number(8) * k_3;
-        c.c_5 = Number(2) / Number(3) * c.eps * k_6 * (k_7 + k_8);
+        const Number k_7 = c.c_4 * k_6 * k_1;
+        c.c_5 = Number(1) / Number(4);
+        const Number k_8 = c.c_5 * k_6 * k_3;
+        c.c_6 = c.eps * (k_7 + k_8);
         const Number k_9 = Number(5) / Number(16) * k_1;
         const Number k_10 = Number(3) / Number(32) * k_3;
         const Number k_11 = -x_dot_0 * k_6 * (k_9 - k_10) - Number(3) / Number(8) * x_0 * c.theta_0 * theta_dot_0 * k_6;
         const Number k_12 = c.c_1 * k_11;
         c.v_x = k_12 - x_dot_0 * k_6;
-        c.c_6 = Number(2) / Number(3) * c.eps * k_6 * (-k_7 - k_8);
-        const Number k_13 = Number(1) / Number(2) + c.c_1 * (k_2 + k_10);
-        c.c_7 = theta_dot_0 * k_13;
-        c.c_8 = Number(2) / Number(3) * c.theta_0 * k_6 * (c.c_1 * (-k_2 - k_10) - Number(1) / Number(2));
-        c.c_9 = Number(0);
-        c.c_10 = Number(2) / Number(3) * k_6 * (Number(1) / c.eps);
-        c.c_11 = theta_dot_0 * k_6;
-        c.c_12 = Number(1) / Number(8);
+        c.c_7 = c.eps * (-k_7 - k_8);
+        const Number k_13 = Number(1) / Number(24) * k_6 * k_1;
+        const Number k_14 = c.c_2 * k_6 * k_3;
+        c.c_8 = Number(1) / Number(3);
+        const Number k_15 = c.c_8 * k_6;
+        c.c_9 = theta_dot_0 * k_6 * (c.c_1 * (k_13 + k_14) + k_15);
+        c.c_10 = c.theta_0 * (c.c_1 * (-k_13 - k_14) - k_15);
+        c.c_11 = Number(0);
+        c.c_12 = Number(2) / Number(3) * k_6 * (Number(1) / c.eps);
+        c.c_13 = theta_dot_0 * k_6;
+        c.c_14 = Number(1) / Number(8);
         const Number y_0 = Number(start.y_0);
-        const Number k_14 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
-        const Number k_15 = k_14 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        const Number k_16 = c.theta_0 * k_15 + Number(3) / Number(256) * k_6 * c.v_x * (k_3 * theta_dot_0);
-        const Number k_17 = c.c_1 * k_16 + c.c_4 * c.theta_0 * c.u_x + c.c_4 * theta_dot_0 * k_6 * c.v_x;
-        c.c_13 = y_0 - c.eps * k_17;
+        const Number k_16 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
+        const Number k_17 = k_16 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        const Number k_18 = c.theta_0 * k_17 + Number(3) / Number(256) * k_6 * c.v_x * (k_3 * theta_dot_0);
+        const Number k_19 = c.c_1 * k_18 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * theta_dot_0 * k_6 * c.v_x;
+        c.c_15 = y_0 - c.eps * k_19;
         const Number R_0 = Number(start.R_0);
-        c.c_14 = Number(1) / Number(6);
-        c.c_15 = Number(1) / Number(3);
-        const Number k_18 = c.u_x * (c.c_14 * k_1 + Number(1) / Number(2) * k_3) + c.c_15 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        c.constant_R = R_0 - c.c_1 * k_18;
-        c.c_16 = Number(2) * k_13;
-        c.c_17 = -Number(2) * k_13;
+        const Number k_20 = c.u_x * (c.c_4 * k_1 + Number(1) / Number(2) * k_3) + c.c_8 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        c.constant_R = R_0 - c.c_1 * k_20;
+        const Number k_21 = Number(1) / Number(2) + c.c_1 * (k_2 + k_10);
+        c.c_16 = Number(2) * k_21;
+        c.c_17 = -Number(2) * k_21;
         c.c_18 = c.c_1 * (Number(3) / Number(64) * k_3 - Number(1) / Number(32) * k_1);
         c.c_19 = c.c_2 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
-        c.c_20 = c.c_12 * c.eps * c.theta_0;
-        c.c_21 = c.c_12 * c.eps * theta_dot_0 * k_6;
-        const Number k_19 = k_2 + k_4;
-        c.c_22 = c.c_1 * k_19;
-        c.c_23 = c.c_12 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
+        c.c_20 = c.c_14 * c.eps * c.theta_0;
+        c.c_21 = c.c_14 * c.eps * theta_dot_0 * k_6;
+        const Number k_22 = k_2 + k_4;
+        c.c_22 = c.c_1 * k_22;
+        c.c_23 = c.c_14 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
         c.c_24 = c.c_1 * (k_10 + c.c_3 * k_1);
         c.c_25 = c.c_1 * (Number(1) / Number(48) * k_1 - Number(1) / Number(32) * k_3);
         c.c_26 = Number(1) / Number(24) * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
-        const Number k_20 = c.c_1 * c.eps;
-        const Number k_21 = c.c_1 * c.c_1;
-        const Number k_22 = c.u_x * k_19 - c.c_12 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        const Number k_23 = c.v_x * (k_10 - k_9) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_6 * c.u_x;
-        const Number k_24 = k_5 + c.c_1 * k_22;
-        const Number k_25 = k_12 + c.c_1 * k_23;
-        c.c_27 = k_20 * k_20 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_21 * (k_22 * k_22) + k_21 * (k_23 * k_23) - Number(4) * (k_24 * k_24 + k_25 * k_25);
+        const Number k_23 = c.c_1 * c.eps;
+        const Number k_24 = c.c_1 * c.c_1;
+        const Number k_25 = c.u_x * k_22 - c.c_14 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
+        const Number k_26 = c.v_x * (k_10 - k_9) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_6 * c.u_x;
+        const Number k_27 = k_5 + c.c_1 * k_25;
+        const Number k_28 = k_12 + c.c_1 * k_26;
+        c.c_27 = k_23 * k_23 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_24 * (k_25 * k_25) + k_24 * (k_26 * k_26) - Number(4) * (k_27 * k_27 + k_28 * k_28);
         c.c_28 = hypot(c.theta_0, Number(-theta_dot_0 * k_6));
         c.c_29 = resonform::math::number<Number>({7.888609052210118e-31});
         c.c_30 = Number(5) / Number(8) * c.c_1 * (c.c_28 * c.c_28);
@@ -299,19 +302,19 @@ private:
         keep(from.theta_0, c.theta_0, "theta_0");
         keep(from.c_3, c.c_3, "c_3 in x_2");
         keep(from.u_x, c.u_x, "u_x");
-        keep(from.c_4, c.c_4, "c_4 in y_1");
-        keep(from.c_5, c.c_5, "c_5 in u_x");
+        keep(from.c_4, c.c_4, "c_4 in R_2");
+        keep(from.c_5, c.c_5, "c_5 in y_1");
+        keep(from.c_6, c.c_6, "c_6 in u_x");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_6, c.c_6, "c_6 in v_x");
-        keep(from.c_7, c.c_7, "c_7 in Q_y");
-        keep(from.c_8, c.c_8, "c_8 in Q_y");
-        keep(from.c_9, c.c_9, "c_9");
-        keep(from.c_10, c.c_10, "c_10 in theta");
-        keep(from.c_11, c.c_11, "c_11 in theta");
-        keep(from.c_12, c.c_12, "c_12 in x_2");
-        keep(from.c_13, c.c_13, "c_13 in y");
-        keep(from.c_14, c.c_14, "c_14 in R_2");
-        keep(from.c_15, c.c_15, "c_15 in R_2");
+        keep(from.c_7, c.c_7, "c_7 in v_x");
+        keep(from.c_8, c.c_8, "c_8 in R_2");
+        keep(from.c_9, c.c_9, "c_9 in Q_y");
+        keep(from.c_10, c.c_10, "c_10 in Q_y");
+        keep(from.c_11, c.c_11, "c_11");
+        keep(from.c_12, c.c_12, "c_12 in theta");
+        keep(from.c_13, c.c_13, "c_13 in theta");
+        keep(from.c_14, c.c_14, "c_14 in x_2");
+        keep(from.c_15, c.c_15, "c_15 in y");
         keep(from.constant_R, c.constant_R, "constant_R");
         keep(from.c_16, c.c_16, "c_16 in x");
         keep(from.c_17, c.c_17, "c_17 in x");
@@ -356,15 +359,15 @@ private:
 
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
-        Number c_9;
-        Number c_10;
+        Number c_11;
+        Number c_12;
     };
 
     template <class Number> static void compute_phase_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
         const Number eps = Number(given_eps);
-        c.c_9 = Number(0);
-        c.c_10 = Number(2) / Number(3) * sqrt(Number(Number(3) / Number(2))) * (Number(1) / eps);
+        c.c_11 = Number(0);
+        c.c_12 = Number(2) / Number(3) * sqrt(Number(Number(3) / Number(2))) * (Number(1) / eps);
     }
 
     // With all of them, if a step leaves the range of Number.
@@ -375,8 +378,8 @@ private:
         if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
-            c.c_9 = all.c_9;
-            c.c_10 = all.c_10;
+            c.c_11 = all.c_11;
+            c.c_12 = all.c_12;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -388,7 +391,7 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];
         const Number u_x = flow[0];
-        return {Number(c.c_5 * v_x), Number(c.c_6 * u_x)};
+        return {Number(c.c_6 * v_x), Number(c.c_7 * u_x)};
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
@@ -406,13 +409,13 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
         const Number v_x = tables[1];
         const Number u_x = tables[0];
-        return {Number(c.c_8 * v_x - c.c_7 * u_x)};
+        return {Number(c.c_10 * v_x - c.c_9 * u_x)};
     }
 
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_10;
+        return c.c_12;
     }
 
     // What differs from call to call.
@@ -428,18 +431,18 @@ private:
         const Real q_1 = u_x * a.cos_theta;
         const Real q_2 = v_x * a.sin_theta;
         const Real re_x = q_1 - q_2;
-        const Real re_theta = c.theta_0 * a.cos_theta + c.c_11 * a.sin_theta;
+        const Real re_theta = c.theta_0 * a.cos_theta + c.c_13 * a.sin_theta;
         const Real q_3 = re_theta * re_theta;
-        const Real im_theta = c.theta_0 * a.sin_theta - c.c_11 * a.cos_theta;
+        const Real im_theta = c.theta_0 * a.sin_theta - c.c_13 * a.cos_theta;
         const Real q_4 = im_theta * im_theta;
         const Real im_x = u_x * a.sin_theta + v_x * a.cos_theta;
-        const Real x_2 = re_x * (c.c_2 * q_3 + c.c_3 * q_4) + c.c_12 * im_x * re_theta * im_theta;
+        const Real x_2 = re_x * (c.c_2 * q_3 + c.c_3 * q_4) + c.c_14 * im_x * re_theta * im_theta;
         const Real Q_y = a.tables[2];
-        const Real y_1 = c.c_4 * re_x * re_theta - c.c_4 * im_x * im_theta;
-        const Real R_2 = re_x * (c.c_14 * q_3 + c.c_15 * q_4) - c.c_15 * im_x * re_theta * im_theta;
+        const Real y_1 = c.c_5 * re_x * re_theta - c.c_5 * im_x * im_theta;
+        const Real R_2 = re_x * (c.c_4 * q_3 + c.c_8 * q_4) - c.c_8 * im_x * re_theta * im_theta;
         values.x = q_1 + c.c_1 * x_2 - q_2;
         values.theta = re_theta;
-        values.y = Q_y + c.eps * y_1 + c.c_13;
+        values.y = Q_y + c.eps * y_1 + c.c_15;
         values.R = c.c_1 * R_2 + c.constant_R;
         return finite(values.x) && finite(values.theta) && finite(values.y) && finite(values.R) ? Status::ok : Status::overflow;
     }
@@ -450,7 +453,7 @@ private:
         const Number v_x = tables[1];
         const Number u_x = tables[0];
         const Number Q_y = tables[2];
-        return {Number(c.c_16 * u_x), Number(c.c_17 * v_x), Number(Number(2) * (c.c_18 * u_x - c.c_19 * v_x)), Number(-Number(2) * (c.c_18 * v_x + c.c_19 * u_x)), Number(c.theta_0), Number(c.c_11), Number(Q_y + c.c_13), Number(Number(2) * (c.c_20 * u_x + c.c_21 * v_x)), Number(-Number(2) * (c.c_20 * v_x - c.c_21 * u_x)), Number(c.constant_R), Number(Number(2) * (c.c_22 * u_x + c.c_23 * v_x)), Number(-Number(2) * (c.c_24 * v_x + c.c_23 * u_x)), Number(Number(2) * (c.c_25 * u_x + c.c_26 * v_x)), Number(-Number(2) * (c.c_25 * v_x - c.c_26 * u_x))};
+        return {Number(c.c_16 * u_x), Number(c.c_17 * v_x), Number(Number(2) * (c.c_18 * u_x - c.c_19 * v_x)), Number(-Number(2) * (c.c_18 * v_x + c.c_19 * u_x)), Number(c.theta_0), Number(c.c_13), Number(Q_y + c.c_15), Number(Number(2) * (c.c_20 * u_x + c.c_21 * v_x)), Number(-Number(2) * (c.c_20 * v_x - c.c_21 * u_x)), Number(c.constant_R), Number(Number(2) * (c.c_22 * u_x + c.c_23 * v_x)), Number(-Number(2) * (c.c_24 * v_x + c.c_23 * u_x)), Number(Number(2) * (c.c_25 * u_x + c.c_26 * v_x)), Number(-Number(2) * (c.c_25 * v_x - c.c_26 * u_x))};
     }
 
     using Cause = resonform::Cause;
@@ -539,7 +542,7 @@ private:
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
                 keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
-                start = {c.c_9};
+                start = {c.c_11};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
                 return {theta_rate(c, T)};
@@ -603,7 +606,7 @@ private:
                     lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
                 }
                 const auto& known = constants(course);
-                start = {known.c_9};
+                start = {known.c_11};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>) {
@@ -663,7 +666,7 @@ private:
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {theta_.build(theta_rates, wide.c_9, eps, reach), "theta"}, reach);
+                {theta_.build(theta_rates, wide.c_11, eps, reach), "theta"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

@@ -6,7 +6,7 @@
 //   scene       free_oscillation: A free oscillation, over 24 decades of every parameter
 //   order       2, normal form and map through weight 3
 //   operations  6 add, 12 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
-//   written out 13 add, 52 multiply, 8 divide, 3 root, 16 sincos, 4 other, 0 tables
+//   written out 13 add, 54 multiply, 6 divide, 3 root, 16 sincos, 4 other, 0 tables
 //   many points from tables of 5 rows (111 operations, 105 from atoms, 258 one by one)
 //
 // z1 = a1*exp(I*theta)
@@ -176,8 +176,8 @@ private:
         const Number k_1 = sqrt(Number(5));
         c.eps = Number(given_eps);
         const Number k_2 = log(Number(2));
-        const Number k_3 = Number(1) / Number(8) * c.eps * k_2;
-        const Number k_4 = Number(5) / Number(2) - k_3;
+        const Number k_3 = k_2 * k_2;
+        const Number k_4 = Number(1) / Number(10) * k_1 * k_2 - Number(1) / Number(200) * c.eps * k_1 * k_3;
         const Number k_5 = expm1(Number(1));
         const Number k_6 = c.eps * c.eps;
         const Number amplitude_x = Number(start.amplitude_x);
@@ -187,63 +187,60 @@ private:
         const Number k_9 = k_8 * k_8;
         const Number k_10 = sin(phase_x);
         const Number k_11 = k_10 * k_10;
-        const Number k_12 = Number(3) / Number(8) * k_7 * k_9 + Number(3) / Number(8) * k_7 * k_11;
-        const Number k_13 = Number(1) / exp(Number(1));
+        const Number k_12 = Number(3) / Number(40) * k_1 * k_7 * k_9 + Number(3) / Number(40) * k_1 * k_7 * k_11;
+        const Number k_13 = exp(Number(-Number(1)));
         const Number k_14 = k_13 * k_13;
-        const Number k_15 = -Number(5) / Number(48) * k_7 * k_9 - Number(5) / Number(48) * k_7 * k_11;
+        const Number k_15 = -Number(1) / Number(240) * k_1 * k_7 * k_9 * k_14 - Number(1) / Number(240) * k_1 * k_7 * k_11 * k_14;
         c.c_2 = k_5 * k_5;
-        const Number k_16 = Number(1) / Number(5) * k_1 * k_6 * k_12 + Number(1) / Number(25) * k_1 * k_6 * k_14 * k_15 * (c.c_2 * k_5);
-        const Number theta_dot = Number(1) / Number(25) * k_1 * (Number(25) + c.eps * k_2 * k_4) + k_5 * k_16;
+        const Number theta_dot = k_1 + c.eps * k_4 + k_5 * (k_6 * k_12 + k_6 * k_15 * (c.c_2 * k_5));
         c.c_3 = theta_dot * (Number(1) / c.eps);
         c.c_4 = amplitude_x * k_8;
         c.c_5 = amplitude_x * k_10;
         c.c_6 = Number(1) / Number(20) * k_2;
         c.c_7 = Number(1) / Number(30) * k_13;
         c.c_8 = Number(1) / Number(15) * k_13;
-        const Number k_17 = Number(1) / Number(4) * k_7 * k_9;
-        c.c_9 = Number(1) / Number(5) * k_6 * k_13 * c.c_2 * (-k_17 - Number(1) / Number(4) * k_7 * k_11);
-        c.c_10 = Number(2) / Number(5) * c.eps * amplitude_x * k_8 * k_4;
-        c.c_11 = -Number(2) / Number(5) * c.eps * amplitude_x * k_10 * k_4;
-        const Number k_18 = Number(1) / Number(24) * k_7 * k_9 - Number(1) / Number(24) * k_7 * k_11;
-        c.c_12 = Number(2) / Number(5) * k_6 * k_13 * c.c_2 * k_18;
+        const Number k_16 = -Number(1) / Number(20) * k_7 * k_9 * k_13 - Number(1) / Number(20) * k_7 * k_11 * k_13;
+        c.c_9 = k_6 * c.c_2 * k_16;
+        const Number k_17 = Number(1) / Number(2) - Number(1) / Number(40) * c.eps * k_2;
+        c.c_10 = Number(2) * c.eps * amplitude_x * k_8 * k_17;
+        c.c_11 = -Number(2) * c.eps * amplitude_x * k_10 * k_17;
+        const Number k_18 = Number(1) / Number(120) * k_7 * k_9 * k_13 - Number(1) / Number(120) * k_7 * k_11 * k_13;
+        c.c_12 = Number(2) * k_6 * c.c_2 * k_18;
         c.c_13 = -Number(1) / Number(30) * k_8 * k_10 * k_6 * k_7 * k_13 * c.c_2;
         c.c_14 = Number(49);
         const Number k_19 = k_6 * c.eps;
-        const Number k_20 = k_3 - Number(5) / Number(4);
-        const Number k_21 = Number(1) / Number(25) * c.eps * amplitude_x * k_8 * k_2 * k_20;
-        const Number k_22 = -Number(5) / Number(32) * k_7 * k_9 - Number(9) / Number(32) * k_7 * k_11;
-        const Number k_23 = -Number(1) / Number(6) * k_7 * k_9 - Number(1) / Number(3) * k_7 * k_11;
-        const Number k_24 = c.eps * k_2 * (k_17 + Number(1) / Number(2) * k_7 * k_11) + Number(5) * k_23;
-        const Number k_25 = Number(11) / Number(192) * k_7 * k_9 + Number(7) / Number(192) * k_7 * k_11;
-        const Number k_26 = Number(1) / Number(25) * amplitude_x * k_8 * k_6 * k_14 * k_25 * c.c_2;
-        const Number k_27 = Number(1) / Number(5) * amplitude_x * k_8 * k_6 * k_22 + k_5 * (Number(1) / Number(25) * c.eps * k_13 * k_24 + k_26);
+        const Number k_20 = Number(1) / Number(200) * c.eps * k_3;
+        const Number k_21 = k_20 - c.c_6;
+        const Number k_22 = c.eps * amplitude_x * k_8 * k_21;
+        const Number k_23 = -Number(1) / Number(32) * k_7 * k_9 - Number(9) / Number(160) * k_7 * k_11;
+        const Number k_24 = Number(1) / Number(100) * k_2 * k_7 * k_9 * k_13 + Number(1) / Number(50) * k_2 * k_7 * k_11 * k_13;
+        const Number k_25 = c.eps * k_24 - Number(1) / Number(30) * k_7 * k_9 * k_13 - Number(1) / Number(15) * k_7 * k_11 * k_13;
+        const Number k_26 = Number(11) / Number(4800) * k_7 * k_9 * k_14 + Number(7) / Number(4800) * k_7 * k_11 * k_14;
+        const Number k_27 = amplitude_x * k_8 * k_6 * k_23 + k_5 * (c.eps * k_25 + amplitude_x * k_8 * k_6 * k_26 * c.c_2);
         const Number k_28 = k_5 * k_27;
-        const Number k_29 = k_21 + k_28;
-        const Number k_30 = Number(5) / Number(4) - k_3;
-        const Number k_31 = Number(1) / Number(25) * c.eps * amplitude_x * k_10 * k_2 * k_30;
-        const Number k_32 = Number(15) / Number(32) * k_7 * k_9 + Number(3) / Number(32) * k_7 * k_11;
-        const Number k_33 = Number(5) / Number(3) - Number(1) / Number(3) * c.eps * k_2;
-        const Number k_34 = -Number(1) / Number(192) * k_7 * k_9 - Number(13) / Number(192) * k_7 * k_11;
-        const Number k_35 = Number(1) / Number(25) * amplitude_x * k_10 * k_6 * k_14 * c.c_2 * k_34;
-        const Number k_36 = Number(1) / Number(25) * c.eps * k_8 * k_10 * k_7 * k_13 * k_33 + k_35;
-        const Number k_37 = Number(1) / Number(5) * amplitude_x * k_10 * k_6 * k_32 + k_5 * k_36;
-        const Number k_38 = k_5 * k_37;
-        const Number k_39 = k_31 + k_38;
-        const Number k_40 = c.c_4 + k_21 + k_28;
+        const Number k_29 = k_22 + k_28;
+        const Number k_30 = c.c_6 - k_20;
+        const Number k_31 = c.eps * amplitude_x * k_10 * k_30;
+        const Number k_32 = Number(3) / Number(32) * k_7 * k_9 + Number(3) / Number(160) * k_7 * k_11;
+        const Number k_33 = c.c_8 - Number(1) / Number(75) * c.eps * k_2 * k_13;
+        const Number k_34 = -Number(1) / Number(4800) * k_7 * k_9 * k_14 - Number(13) / Number(4800) * k_7 * k_11 * k_14;
+        const Number k_35 = c.eps * k_8 * k_10 * k_7 * k_33 + amplitude_x * k_10 * k_6 * c.c_2 * k_34;
+        const Number k_36 = k_5 * (amplitude_x * k_10 * k_6 * k_32 + k_5 * k_35);
+        const Number k_37 = k_31 + k_36;
+        const Number k_38 = c.c_4 + k_22 + k_28;
+        const Number k_39 = k_38 * k_38;
+        const Number k_40 = c.c_5 + k_31 + k_36;
         const Number k_41 = k_40 * k_40;
-        const Number k_42 = c.c_5 + k_31 + k_38;
-        const Number k_43 = k_42 * k_42;
-        const Number k_44 = Number(1) / Number(5) * k_6 * k_40 * (-Number(5) / Number(32) * k_41 - Number(9) / Number(32) * k_43);
-        const Number k_45 = c.eps * k_2 * (Number(1) / Number(4) * k_41 + Number(1) / Number(2) * k_43);
-        const Number k_46 = Number(5) * (-Number(1) / Number(6) * k_41 - Number(1) / Number(3) * k_43);
-        const Number k_47 = Number(1) / Number(25) * k_6 * k_14 * c.c_2 * k_40 * (Number(11) / Number(192) * k_41 + Number(7) / Number(192) * k_43);
-        const Number k_48 = k_5 * (Number(1) / Number(25) * c.eps * k_13 * (k_45 + k_46) + k_47);
-        const Number k_49 = Number(1) / Number(25) * c.eps * k_2 * k_20 * k_40 + k_5 * (k_44 + k_48) - k_29;
-        const Number k_50 = Number(1) / Number(5) * k_6 * k_42 * (Number(15) / Number(32) * k_41 + Number(3) / Number(32) * k_43);
-        const Number k_51 = -Number(1) / Number(192) * k_41 - Number(13) / Number(192) * k_43;
-        const Number k_52 = Number(1) / Number(25) * c.eps * k_13 * k_33 * k_40 * k_42 + Number(1) / Number(25) * k_6 * k_14 * c.c_2 * k_42 * k_51;
-        const Number k_53 = Number(1) / Number(25) * c.eps * k_2 * k_30 * k_42 + k_5 * (k_50 + k_5 * k_52) - k_39;
-        c.c_15 = k_7 * k_9 + k_7 * k_11 + k_19 * k_19 + k_29 * k_29 + k_39 * k_39 - Number(4) * (k_49 * k_49 + k_53 * k_53);
+        const Number k_42 = k_6 * k_38 * (-Number(1) / Number(32) * k_39 - Number(9) / Number(160) * k_41);
+        const Number k_43 = Number(1) / Number(100) * k_2 * k_13 * k_39 + Number(1) / Number(50) * k_2 * k_13 * k_41;
+        const Number k_44 = c.eps * k_43 - Number(1) / Number(30) * k_13 * k_39 - Number(1) / Number(15) * k_13 * k_41;
+        const Number k_45 = Number(11) / Number(4800) * k_14 * k_39 + Number(7) / Number(4800) * k_14 * k_41;
+        const Number k_46 = c.eps * k_21 * k_38 + k_5 * (k_42 + k_5 * (c.eps * k_44 + k_6 * c.c_2 * k_38 * k_45)) - k_29;
+        const Number k_47 = k_6 * k_40 * (Number(3) / Number(32) * k_39 + Number(3) / Number(160) * k_41);
+        const Number k_48 = -Number(1) / Number(4800) * k_14 * k_39 - Number(13) / Number(4800) * k_14 * k_41;
+        const Number k_49 = k_47 + k_5 * (c.eps * k_33 * k_38 * k_40 + k_6 * c.c_2 * k_40 * k_48);
+        const Number k_50 = c.eps * k_30 * k_40 + k_5 * k_49 - k_37;
+        c.c_15 = k_7 * k_9 + k_7 * k_11 + k_19 * k_19 + k_29 * k_29 + k_37 * k_37 - Number(4) * (k_46 * k_46 + k_50 * k_50);
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -301,7 +298,7 @@ private:
         const Number k_1 = sqrt(Number(5));
         const Number eps = Number(given_eps);
         const Number k_2 = log(Number(2));
-        const Number k_3 = eps * k_2 * (Number(5) / Number(2) - Number(1) / Number(8) * eps * k_2);
+        const Number k_3 = Number(1) / Number(10) * k_1 * k_2 - Number(1) / Number(200) * eps * k_1 * (k_2 * k_2);
         const Number k_4 = expm1(Number(1));
         const Number k_5 = eps * eps;
         const Number amplitude_x = Number(start.amplitude_x);
@@ -311,11 +308,11 @@ private:
         const Number k_8 = k_7 * k_7;
         const Number k_9 = sin(phase_x);
         const Number k_10 = k_9 * k_9;
-        const Number k_11 = Number(3) / Number(8) * k_6 * k_8 + Number(3) / Number(8) * k_6 * k_10;
-        const Number k_12 = Number(1) / exp(Number(1));
-        const Number k_13 = -Number(5) / Number(48) * k_6 * k_8 - Number(5) / Number(48) * k_6 * k_10;
-        const Number k_14 = Number(1) / Number(25) * k_1 * k_5 * (k_12 * k_12) * k_13 * (k_4 * k_4 * k_4);
-        const Number theta_dot = Number(1) / Number(25) * k_1 * (Number(25) + k_3) + k_4 * (Number(1) / Number(5) * k_1 * k_5 * k_11 + k_14);
+        const Number k_11 = Number(3) / Number(40) * k_1 * k_6 * k_8 + Number(3) / Number(40) * k_1 * k_6 * k_10;
+        const Number k_12 = exp(Number(-Number(1)));
+        const Number k_13 = k_12 * k_12;
+        const Number k_14 = -Number(1) / Number(240) * k_1 * k_6 * k_8 * k_13 - Number(1) / Number(240) * k_1 * k_6 * k_10 * k_13;
+        const Number theta_dot = k_1 + eps * k_3 + k_4 * (k_5 * k_11 + k_5 * k_14 * (k_4 * k_4 * k_4));
         c.c_3 = theta_dot * (Number(1) / eps);
     }
 

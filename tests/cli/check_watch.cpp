@@ -36,7 +36,7 @@ TEST(SlowWatch, EachTimeIsLimited) {
                 "a derivation takes at most 0.5 s\n  found: weight 3 reached and certified");
     EXPECT_EXIT(
         derive(0, 5), testing::ExitedWithCode(3),
-        "printing it takes at most 0.5 s\n  found: weight 3 reached and certified, what is printed under "
+        "a derivation with its printing takes at most 0.5 s\n  found: weight 3 reached and certified, what is printed under "
         "way");
 }
 

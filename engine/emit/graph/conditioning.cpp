@@ -5,6 +5,8 @@
 #include "model/text/function_call.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -147,6 +149,9 @@ std::optional<Rational> value_of_constant(const Graph& graph, Graph::Node n) {
     return middle(*value);
 }
 
+// Terms of together so many times the size of their sum lose a digit, and more.
+constexpr int much = 16;
+
 // Whether a factor is a sum that may be far smaller than its terms: they are no numbers, or 20000 -
 // sqrt(19998)*sqrt(20002). sqrt(k)*(2 - sqrt(2)) loses no more than a digit.
 bool cancels_by_values(const Graph& graph, Graph::Node n) {
@@ -159,7 +164,7 @@ bool cancels_by_values(const Graph& graph, Graph::Node n) {
             if (!value || !sum) return true;
             sizes = sizes + cln::abs(*value);
         }
-        return sizes > 16 * cln::abs(*sum);
+        return sizes > much * cln::abs(*sum);
     }
     if (e.op != Graph::Op::multiply && e.op != Graph::Op::power) return false;
     return std::any_of(e.operands.begin(), e.operands.end(),
@@ -207,6 +212,41 @@ Graph::Node Lowering::divisor(const Polynomial& p) {
     if (!cancels_by_values(*graph_, plain)) return plain;
     const std::optional<Graph::Node> rewritten = without_cancellation(p);
     return rewritten ? *rewritten : with_all_digits(*graph_, plain);
+}
+
+Graph::Node Lowering::without_lost_digits(Graph::Node sum) {
+    if (graph_->at(sum).op != Graph::Op::add) return sum;
+    double total = 0, sizes = 0;
+    for (const Graph::Node term : graph_->at(sum).operands) {
+        const double value = rough_value(term);
+        total += value;
+        sizes += std::fabs(value);
+    }
+    return sizes > much * std::fabs(total) ? with_all_digits(*graph_, sum) : sum; // not a number: a symbol
+}
+
+double Lowering::rough_value(Graph::Node n) {
+    const auto [place, is_new] = rough_values_.try_emplace(n, std::numeric_limits<double>::quiet_NaN());
+    if (!is_new) return place->second;
+    const Graph::Entry& e = graph_->at(n);
+    double value = place->second;
+    switch (e.op) {
+    case Graph::Op::rational: value = to_double(e.value); break;
+    case Graph::Op::add:
+        value = 0;
+        for (const Graph::Node operand : e.operands) value += rough_value(operand);
+        break;
+    case Graph::Op::multiply:
+        value = 1;
+        for (const Graph::Node operand : e.operands) value *= rough_value(operand);
+        break;
+    case Graph::Op::power: value = std::pow(rough_value(e.operands.front()), e.exponent); break;
+    case Graph::Op::root: value = std::pow(rough_value(e.operands.front()), 1.0 / e.exponent); break;
+    default:
+        if (const std::optional<Rational> constant = value_of_constant(*graph_, n))
+            value = to_double(*constant);
+    }
+    return rough_values_[n] = value;
 }
 
 } // namespace resonform

@@ -40,7 +40,7 @@ std::vector<Power> divided_by_less_one(const std::vector<Power>& sum) {
 
 std::optional<Lowering::Divided> Lowering::without_exponential(Terms& terms) const {
     for (std::size_t id = 0; id < nodes_.size(); ++id) {
-        if (nodes_[id] < 0 || graph_->at(nodes_[id]).op != Graph::Op::exp) continue;
+        if (!is_exponential(id)) continue;
         std::map<std::vector<int>, std::vector<Power>> sums; // by the powers of all others
         for (std::size_t k = 0; k < terms.coefficients.size(); ++k) {
             std::vector<int> others(terms.row(k), terms.row(k) + terms.width);

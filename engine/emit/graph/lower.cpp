@@ -7,6 +7,9 @@
 #include "emit/graph/differences.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 
@@ -28,7 +31,9 @@ namespace {
 
 void Lowering::define(GeneratorId id, Graph::Node node, bool varying) {
     nodes_[static_cast<std::size_t>(id)] = node;
-    varying_[static_cast<std::size_t>(id)] = varying;
+    change_[static_cast<std::size_t>(id)] = varying                         ? Change::calls
+                                            : std::isnan(rough_value(node)) ? Change::starts
+                                                                            : Change::never;
 }
 
 // Adds a term with the generators that are numbers put in.
@@ -56,7 +61,8 @@ void Lowering::fold(const Monomial& m, Rational coefficient, Terms& terms) const
 std::vector<std::size_t> Lowering::varying_roots() const {
     std::vector<std::size_t> roots;
     for (std::size_t id = 0; id < nodes_.size(); ++id)
-        if (varying_[id] && ring_->generator(static_cast<GeneratorId>(id)).kind == GeneratorKind::root)
+        if (change_[id] == Change::calls &&
+            ring_->generator(static_cast<GeneratorId>(id)).kind == GeneratorKind::root)
             roots.push_back(id);
     return roots;
 }
@@ -101,6 +107,11 @@ Graph::Node Lowering::fractions(const std::vector<Fraction>& list) {
 }
 
 Graph::Node Lowering::power(Graph::Node x, int exponent) const {
+    if (exponent < 0 && graph_->at(x).op == Graph::Op::exp) { // 0 where 1/e^u would divide by infinity
+        const Graph::Node u = graph_->at(x).operands.front();
+        const Graph::Node minus = graph_->multiply({graph_->rational(-1), u});
+        return graph_->power(graph_->function(Graph::Op::exp, {minus}), -exponent);
+    }
     const auto known = inverses_.find(x);
     return exponent < 0 && known != inverses_.end() ? graph_->power(known->second, -exponent)
                                                     : graph_->power(x, exponent);
@@ -150,52 +161,72 @@ Graph::Node Lowering::sum_of(Terms& terms, Rows rows, bool is_radicand) {
     const auto zeros =
         std::remove_if(rows.begin(), rows.end(), [&](std::size_t k) { return terms.coefficients[k] == 0; });
     if (zeros == rows.begin()) return graph_->rational(0);
-    return horner(terms, {rows.begin(), zeros}, true, is_radicand);
+    return horner(terms, {rows.begin(), zeros}, Change::calls, is_radicand);
 }
 
-// Takes the greatest common monomial out of the terms; only in varying or only in constant generators.
-Graph::Node Lowering::common_factor(Terms& terms, Rows rows, bool varying) {
+bool Lowering::is_exponential(std::size_t id) const {
+    return nodes_[id] >= 0 && graph_->at(nodes_[id]).op == Graph::Op::exp;
+}
+
+// Takes the greatest common monomial out of the terms; only in generators that change alike. No
+// power of an exponential changes its sign by that: e^-2u + 1 as e^-2u (1 + e^2u) would be 0 times infinity
+// early.
+Graph::Node Lowering::common_factor(Terms& terms, Rows rows, Change change) {
     const int* const first = terms.row(rows.front());
-    std::vector<int> least(first, first + terms.width);
+    std::vector<int> common(first, first + terms.width);
     for (const std::size_t k : rows)
-        for (std::size_t id = 0; id < least.size(); ++id) least[id] = std::min(least[id], terms.row(k)[id]);
+        for (std::size_t id = 0; id < common.size(); ++id) {
+            const int own = terms.row(k)[id];
+            if (!is_exponential(id))
+                common[id] = std::min(common[id], own);
+            else if (std::int64_t{own} * common[id] <= 0)
+                common[id] = 0;
+            else if (std::abs(own) < std::abs(common[id]))
+                common[id] = own;
+        }
     std::vector<Graph::Node> factors;
-    for (std::size_t id = 0; id < least.size(); ++id) {
-        if (varying_[id] != varying) least[id] = 0;
-        if (least[id] == 0) continue;
-        factors.push_back(power(nodes_[id], least[id]));
-        for (const std::size_t k : rows) terms.row(k)[id] -= least[id];
+    for (std::size_t id = 0; id < common.size(); ++id) {
+        if (change_[id] != change) common[id] = 0;
+        if (common[id] == 0) continue;
+        factors.push_back(power(nodes_[id], common[id]));
+        for (const std::size_t k : rows) terms.row(k)[id] -= common[id];
     }
     return graph_->multiply(factors);
 }
 
 // The generator of the kind asked for that most terms have in common, the first of equals; -1: none.
-int Lowering::most_frequent(const Terms& terms, Rows rows, bool varying) const {
+int Lowering::most_frequent(const Terms& terms, Rows rows, Change change) const {
     std::vector<std::ptrdiff_t> counts(terms.width, 0);
     for (const std::size_t k : rows)
         for (std::size_t id = 0; id < counts.size(); ++id)
             if (terms.row(k)[id] != 0) ++counts[id];
     for (std::size_t id = 0; id < counts.size(); ++id)
-        if (varying_[id] != varying) counts[id] = 0;
+        if (change_[id] != change) counts[id] = 0;
     const auto most = std::max_element(counts.begin(), counts.end());
     return most == counts.end() || *most == 0 ? -1 : static_cast<int>(most - counts.begin());
 }
 
-// After the common factor all exponents are >= 0. A sum without varying generators goes on with the
-// constant ones; without these it is a number. The rows are divided in place, each term belongs to one sum.
-Graph::Node Lowering::horner(Terms& terms, Rows rows, bool varying, bool is_radicand) {
-    const Graph::Node factor = common_factor(terms, rows, varying);
-    const int id = most_frequent(terms, rows, varying);
+// After the common factor all exponents are >= 0, but those of exponentials. A sum without generators of
+// one change goes on with those of the next; without any it is a number. The rows are divided in place, each
+// term belongs to one sum.
+Graph::Node Lowering::horner(Terms& terms, Rows rows, Change change, bool is_radicand) {
+    const Graph::Node factor = common_factor(terms, rows, change);
+    const int id = most_frequent(terms, rows, change);
     if (id < 0) {
-        const Graph::Node rest = varying ? horner(terms, rows, false, is_radicand)
-                                         : graph_->rational(terms.coefficients[rows.front()]);
+        const Graph::Node rest =
+            change == Change::never
+                ? graph_->rational(terms.coefficients[rows.front()])
+                : horner(terms, rows, change == Change::calls ? Change::starts : Change::never, is_radicand);
         return graph_->multiply({factor, rest});
     }
+    const int sign =
+        std::any_of(rows.begin(), rows.end(), [&](std::size_t k) { return terms.row(k)[id] > 0; }) ? 1 : -1;
     const auto without =
-        std::partition(rows.begin(), rows.end(), [&](std::size_t k) { return terms.row(k)[id] != 0; });
-    const Graph::Node with = horner(terms, {rows.begin(), without}, varying, is_radicand);
-    const Graph::Node sum = graph_->add({with, horner(terms, {without, rows.end()}, varying, is_radicand)});
-    if (!is_radicand) return graph_->multiply({factor, sum});
+        std::partition(rows.begin(), rows.end(), [&](std::size_t k) { return sign * terms.row(k)[id] > 0; });
+    const Graph::Node with = horner(terms, {rows.begin(), without}, change, is_radicand);
+    const Graph::Node sum = graph_->add({with, horner(terms, {without, rows.end()}, change, is_radicand)});
+    if (!is_radicand)
+        return graph_->multiply({factor, change == Change::never ? without_lost_digits(sum) : sum});
     const Graph::Node factored = factored_difference(*graph_, multiplied_out(*graph_, sum));
     if (positive_.contains(sum)) positive_.insert(factored);
     return graph_->multiply({factor, factored});

@@ -4,7 +4,8 @@
 //   (16 g^-1 s^-13 r v^2 - ...)   ->   s^-13 (c_1 + xi^2 c_2),   s^-13 = s^3/(s^8)^2
 //
 // Powers of roots are factored out, the rest is grouped by Horner's rule, first by generators that change
-// from call to call, so that the coefficients are constants of the construction.
+// from call to call, so that the coefficients are constants of the construction, last by those that are
+// numbers: where numbers cancel, their sum is formed exactly.
 #pragma once
 
 #include "algebra/number/error.hpp"
@@ -32,7 +33,7 @@ class Lowering {
 public:
     Lowering(Graph& graph, RingPtr ring) : graph_(&graph), ring_(std::move(ring)) {
         nodes_.resize(static_cast<std::size_t>(ring_->size()), -1);
-        varying_.resize(nodes_.size(), false);
+        change_.resize(nodes_.size(), Change::starts);
     }
 
     [[nodiscard]] const Ring& ring() const { return *ring_; }
@@ -40,7 +41,9 @@ public:
     // The node of a generator; varying: it changes from call to call.
     void define(GeneratorId id, Graph::Node node, bool varying);
     [[nodiscard]] Graph::Node node(GeneratorId id) const { return nodes_[static_cast<std::size_t>(id)]; }
-    [[nodiscard]] bool varying(GeneratorId id) const { return varying_[static_cast<std::size_t>(id)]; }
+    [[nodiscard]] bool varying(GeneratorId id) const {
+        return change_[static_cast<std::size_t>(id)] == Change::calls;
+    }
 
     // Precondition: every generator in p is defined. Errors (refused): DivisionByZero.
     Graph::Node polynomial(const Polynomial& p) { return fractions(reduced_fractions(*ring_, p)); }
@@ -76,6 +79,8 @@ private:
         [[nodiscard]] const int* row(std::size_t k) const { return exponents.data() + k * width; }
     };
     using Rows = std::span<std::size_t>; // of the terms
+    // From call to call, from start to start; never: a number, as the root of one.
+    enum class Change { calls, starts, never };
 
     void fold(const Monomial& m, Rational coefficient, Terms& terms) const;
     // The rows of different exponents, each with the sum of its coefficients; those of equal powers of
@@ -85,6 +90,10 @@ private:
     [[nodiscard]] std::vector<std::size_t> varying_roots() const;
     [[nodiscard]] Graph::Node power(Graph::Node x, int exponent) const;
     std::optional<Graph::Node> without_cancellation(const Polynomial& p);
+    // A sum of numbers that is far smaller than they are is formed exactly.
+    Graph::Node without_lost_digits(Graph::Node sum);
+    // NaN: it has symbols.
+    double rough_value(Graph::Node n);
     // The part of a sum in which e^u - 1 is a factor, divided by it, taken out of the sum; nullopt: none.
     struct Divided {
         Graph::Node argument; // u
@@ -96,16 +105,18 @@ private:
     Graph::Node by_roots(Terms& terms);
     // is_radicand: the digits of sums count, differences of squares are factored.
     Graph::Node sum_of(Terms& terms, Rows rows, bool is_radicand = false);
-    Graph::Node horner(Terms& terms, Rows rows, bool varying, bool is_radicand);
-    Graph::Node common_factor(Terms& terms, Rows rows, bool varying);
-    [[nodiscard]] int most_frequent(const Terms& terms, Rows rows, bool varying) const;
+    Graph::Node horner(Terms& terms, Rows rows, Change change, bool is_radicand);
+    [[nodiscard]] bool is_exponential(std::size_t id) const;
+    Graph::Node common_factor(Terms& terms, Rows rows, Change change);
+    [[nodiscard]] int most_frequent(const Terms& terms, Rows rows, Change change) const;
 
     Graph* graph_;
     RingPtr ring_;
     std::vector<Graph::Node> nodes_;
-    std::vector<bool> varying_;
+    std::vector<Change> change_;
     std::set<Graph::Node> positive_;
     std::map<Graph::Node, Graph::Node> inverses_;
+    std::map<Graph::Node, double> rough_values_; // of nodes without symbols
 };
 
 } // namespace resonform

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
 #include <type_traits>
 #include <vector>
@@ -32,7 +31,7 @@ inline constexpr int weak_level = 6;          // of panels that are not halved f
 
 // Products with small multiples of powers of 2 are exact.
 inline double in_26_bits(double x) {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & (~std::uint64_t{0} << 27));
+    return std::bit_cast<double>(std::bit_cast<unsigned long long>(x) & (~0ULL << 27));
 }
 
 template <std::size_t Rows> class AmplitudeFit {

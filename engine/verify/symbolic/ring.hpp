@@ -68,20 +68,26 @@ public:
         for (; index % 2 == 0; index /= 2) radicand = square_root(radicand);
         values.set(root.id, index == 1 ? radicand : math::root(radicand, index));
     }
-    // The same for one that moves. Where a function f(x) passes through zero its scale is not |f|, but what
-    // last places of x are worth, |f'(x)| (scale of x), by a difference quotient: a digit or two will do. A
-    // divisor D that comes near zero is known to what cancels in it: the scale of 1/D is (scale of D)/D^2.
+    // The same for one that moves, with its scale. Where a function f(x) passes through zero that is not |f|,
+    // but what last places of x are worth, |f'(x)| (scale of x), by a difference quotient: a digit or two
+    // will do. A divisor that comes near zero is known to what cancels in it, and so is a root of what does.
     template <class Number> static void set_moving_root(const Root& root, SymbolicValues<Number>& values) {
         const Number x = value_of(root.radicand, values).re;
         set_root(root, x, values);
-        if (root.divisor && !(x == 0))
-            values.set_condition(root.id, Number(scale_of(root.radicand, values) / math::magnitude(x)));
-        if (!root.function || root.function == Function::exponential) return;
-        const Number step(1e-8), value = values[root.id].re;
-        const Number change = value_of_call(root, Number(x + step * scale_of(root.radicand, values))) - value;
-        const Number worth = math::magnitude(change) / step;
-        if (math::finite(worth) && worth > math::magnitude(value))
-            values.set(root.id, {value, Number(0)}, worth);
+        if (root.divisor) {
+            if (!(x == 0))
+                values.set_condition(root.id, Number(scale_of(root.radicand, values) / math::magnitude(x)));
+        } else if (!root.function && root.data == nullptr) {
+            values.set_condition(root.id,
+                                 Number(1 + (cancellation_of(root.radicand, values) - 1) / root.index));
+        } else if (root.function && *root.function != Function::exponential) {
+            const Number step(1e-8), value = values[root.id].re;
+            const Number change =
+                value_of_call(root, Number(x + step * scale_of(root.radicand, values))) - value;
+            const Number worth = math::magnitude(change) / step;
+            if (math::finite(worth) && worth > math::magnitude(value))
+                values.set(root.id, {value, Number(0)}, worth);
+        }
     }
 
 private:

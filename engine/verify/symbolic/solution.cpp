@@ -342,7 +342,7 @@ std::vector<Float128> SymbolicSolution::declared_at(const std::vector<Wide>& slo
 }
 
 std::string SymbolicSolution::text() const {
-    std::string text = fmt::format("symbolic 7{}\n", solution_.system().eps_root == 1
+    std::string text = fmt::format("symbolic 8{}\n", solution_.system().eps_root == 1
                                                          ? ""
                                                          : fmt::format(" 1/{}", solution_.system().eps_root));
     for (const SymbolicRing::Root& root : ring_->roots())

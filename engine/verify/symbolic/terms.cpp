@@ -4,6 +4,7 @@
 #include "algebra/number/number.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace resonform {
 
@@ -169,10 +170,10 @@ const ComplexNumber<Number>& SymbolicValues<Number>::power(GeneratorId id, int e
 
 template <class Number> Number SymbolicValues<Number>::scale_power(GeneratorId id, int exponent) const {
     const Entry& e = at(id);
-    if (exponent > 0) return nth_power(e.scales_above, e.scale, exponent);
-    if (e.scales_below.empty()) e.scales_below.push_back(1 / e.value.size());
-    const Number& power = nth_power(e.scales_below, Number(e.scales_below.front()), -exponent);
-    return e.condition > 1 ? Number(power * (1 - exponent * (e.condition - 1))) : power;
+    if (exponent < 0 && e.scales_below.empty()) e.scales_below.push_back(1 / e.value.size());
+    const Number& power = exponent > 0 ? nth_power(e.scales_above, e.scale, exponent)
+                                       : nth_power(e.scales_below, Number(e.scales_below.front()), -exponent);
+    return e.condition > 1 ? Number(power * (1 + std::abs(exponent) * (e.condition - 1))) : power;
 }
 
 template <class Number>
@@ -194,6 +195,21 @@ template <class Number> Number scale_of(const SymbolicSum& sum, const SymbolicVa
 }
 template Wide scale_of(const SymbolicSum&, const SymbolicValues<Wide>&);
 template Float128 scale_of(const SymbolicSum&, const SymbolicValues<Float128>&);
+
+template <class Number> Number cancellation_of(const SymbolicSum& sum, const SymbolicValues<Number>& values) {
+    ComplexNumber<Number> total;
+    Number sizes = 0;
+    for (const SymbolicTerm& term : sum) {
+        const ComplexNumber<Number> value =
+            times(ComplexNumber<Number>{narrowed<Number>(term.coefficient), 0}, term.powers, values);
+        total = total + value;
+        sizes += value.size();
+    }
+    const Number size = total.size();
+    return size > 0 ? Number(sizes / size) : Number(1);
+}
+template Wide cancellation_of(const SymbolicSum&, const SymbolicValues<Wide>&);
+template Float128 cancellation_of(const SymbolicSum&, const SymbolicValues<Float128>&);
 
 template <class Number>
 MovingSum<Number>::MovingSum(const SymbolicSum& sum, const SymbolicValues<Wide>& constants,

@@ -153,7 +153,7 @@ public:
         entries_[static_cast<std::size_t>(id)] = {value, scale, {}, {}, {}, {}};
     }
     void set(GeneratorId id, const Number& value) { set(id, {value, 0}, math::magnitude(value)); }
-    // Of a divisor: last places of what it is made of are worth this many of its own, >= 1.
+    // Last places of what it is made of are worth this many of its own, >= 1.
     void set_condition(GeneratorId id, const Number& condition) {
         entries_[static_cast<std::size_t>(id)].condition = condition;
     }
@@ -161,7 +161,7 @@ public:
     [[nodiscard]] const Complex& operator[](GeneratorId id) const { return at(id).value; }
     [[nodiscard]] const Number& scale(GeneratorId id) const { return at(id).scale; }
     [[nodiscard]] const Complex& power(GeneratorId id, int exponent) const;
-    // In a denominator the value itself is used, times what its condition makes of the power.
+    // In a denominator the value itself is used. Times what its condition makes of the power.
     [[nodiscard]] Number scale_power(GeneratorId id, int exponent) const;
 
 private:
@@ -179,6 +179,8 @@ private:
 template <class Number>
 ComplexNumber<Number> value_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
 template <class Number> Number scale_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
+// The sum of the sizes of its terms over its own size; 1 where that is 0.
+template <class Number> Number cancellation_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
 
 // A sum with the values of constants put in: terms that differ only by constants are merged.
 template <class Number> class MovingSum {
