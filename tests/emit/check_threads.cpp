@@ -16,6 +16,7 @@ constexpr const char* race_program = R"(
 #include <cstdio>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 template <class Scene> void race(const char* name) {
@@ -60,7 +61,21 @@ template <class Scene> void race(const char* name) {
     }
 }
 
+template <class Scene> void move(const char* name) {
+    Scene from(0.01);
+    const Scene to(std::move(from));
+    typename Scene::Values values;
+    if (to(1.0, values) != resonform::Status::ok) std::printf("%s: moved\n", name);
+    for (const Scene& none : {from, Scene(from)})
+        if (none(1.0, values) != resonform::Status::outside_interval) std::printf("%s: moved from\n", name);
+    from.prepare();
+    from = to;
+    if (from(1.0, values) != resonform::Status::ok) std::printf("%s: assigned\n", name);
+}
+
 int main() {
+    move<resonform::generated::almost_holonomic_pendulum::third_order::Evaluator<double>>("pendulum");
+    move<resonform::generated::henon_heiles::third_order::Evaluator<double>>("Henon-Heiles");
     race<resonform::generated::almost_holonomic_pendulum::third_order::Evaluator<double>>("pendulum");
     race<resonform::generated::henon_heiles::third_order::Evaluator<double>>("Henon-Heiles");
 }

@@ -100,6 +100,26 @@ template <int N, int V>
     }
 }
 
+// The derivatives of such polynomials, of coefficients next to each other.
+template <int N, int V>
+[[gnu::always_inline]] inline void slopes(const double* c, unsigned degree,
+                                          const typename Lanes<N>::Vector* x,
+                                          typename Lanes<N>::Vector* slope) {
+    using L = Lanes<N>;
+    typename L::Vector value[V];
+    RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+        value[i] = L::all(c[0]);
+        slope[i] = L::all(0);
+    }
+    for (; degree > 0; --degree) {
+        ++c;
+        RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
+            slope[i] = L::multiply_add(slope[i], x[i], value[i]);
+            value[i] = L::multiply_add(value[i], x[i], L::all(*c));
+        }
+    }
+}
+
 // A phase in quarter turns: f[i] + whole, `turned` holds the whole. Products of halves are exact, so that no
 // contraction changes them.
 template <int N, int V, bool Low>
@@ -112,25 +132,32 @@ template <int N, int V, bool Low>
     Vector large[V] = {}, rest[V] = {};
     if (p.wide == 0) {
         polynomial<N, V>(c, 1, p.degree, at.v, rest);
+        Vector slope[V];
+        if constexpr (Low) slopes<N, V>(c, p.degree, at.v, slope);
         c += p.degree + 1;
         const Vector high = L::all(c[0]), low = L::all(c[1]);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
             const Vector d1 = L::upper(at.d[i]), d2 = at.d[i] - d1;
-            if constexpr (Low) rest[i] = L::multiply_add(high, at.low[i], rest[i]);
+            if constexpr (Low) {
+                slope[i] = L::multiply_add(slope[i], L::all(w.to_local), high);
+                rest[i] = L::multiply_add(slope[i], at.low[i], rest[i]);
+            }
             rest[i] = L::multiply_add(low, at.d[i], rest[i]);
             rest[i] = L::multiply_add(high, d2, rest[i]);
             large[i] = high * d1; // exact
         }
         c += 2;
     } else {
-        Vector u[V], x[V], y[V];
+        Vector u[V], x[V], y[V], slope[V];
         const Vector unit = L::all(w.to_local / 2);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) u[i] = at.d[i] * unit; // exact
         polynomial<N, V>(c, 1, p.degree, u, y);
+        if constexpr (Low) slopes<N, V>(c, p.degree, u, slope);
         c += p.degree + 1;
         const Vector high = L::all(c[0]), low = L::all(c[1]);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
             x[i] = high;
+            if constexpr (Low) slope[i] = L::multiply_add(slope[i], u[i], y[i]);
             y[i] = L::multiply_add(y[i], u[i], low);
         }
         c += 2;
@@ -139,8 +166,10 @@ template <int N, int V, bool Low>
             RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
                 const Vector product = L::product(x[i], u[i]);
                 Vector error = L::multiply_add(y[i], u[i], L::product_error(x[i], u[i], product));
-                if constexpr (Low)
-                    if (j == 1) error = L::multiply_add(x[i], at.low[i] * unit, error);
+                if constexpr (Low) {
+                    slope[i] = L::multiply_add(slope[i], u[i], x[i] + y[i]);
+                    if (j == 1) error = L::multiply_add(slope[i], at.low[i] * unit, error);
+                }
                 if (j == 1) { // nothing more is multiplied: the constant is small
                     large[i] = product;
                     rest[i] = error + above;
