@@ -199,8 +199,8 @@ private:
         typename Single::Start start;
         arguments<Single>(members, i, eps, parameters, start);
         typename Single::Values values;
-        const Status status = Single::at_end(
-            eps, parameters, start, t == nullptr ? math::not_a_number<Real>() : t[i], values);
+        const Status status =
+            Single::at_end(eps, parameters, start, t == nullptr ? math::not_a_number<Real>() : t[i], values);
         std::array<Real, Count> list;
         Single::list(values, list.data());
         for (std::size_t k = 0; k < Count; ++k) numbers[k][lane] = list[k];

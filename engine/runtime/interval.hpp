@@ -16,7 +16,9 @@ public:
     Interval& operator=(const Interval&) = default;
     ~Interval() = default;
     // What has been moved from answers for no time: its evaluator has no tables any more.
-    Interval(Interval&& other) noexcept : Interval(static_cast<const Interval&>(other)) { other.end_ = Real(-1); }
+    Interval(Interval&& other) noexcept : Interval(static_cast<const Interval&>(other)) {
+        other.end_ = Real(-1);
+    }
     Interval& operator=(Interval&& other) noexcept {
         *this = static_cast<const Interval&>(other);
         if (this != &other) other.end_ = Real(-1);

@@ -55,7 +55,8 @@ TEST_F(SweepInput, OtherOptions) {
     of_scene(axes + "--t nan", "--t: times must be >= 0 and finite\n");
     of_scene(axes + "--t 1,x", "--t: times must be decimal numbers or fractions, separated by commas\n"
                                "  found: x\n");
-    of_scene(axes + "--t '1, 2'", "  found: ' 2'\n");
+    of_scene(axes + "--t '1, 2'", "--t: times must be decimal numbers or fractions, separated by commas\n"
+                                  "  found: ' 2'\n");
     for (const char* shard : {"0/4", "5/4", "1", "1/0", "a/4", "1/4x"})
         of_scene(axes + "--shard " + shard, "--shard: must be I/N with 1 <= I <= N <= 1000000\n");
     of_scene(axes + "--jobs 0", "--jobs: must be an integer from 1 to 1024\n");

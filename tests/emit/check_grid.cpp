@@ -59,7 +59,8 @@ double worst_of(double eps, double from, double to) {
 
 int main() {
     for (const double eps : {0.03, 1e-3, 1e-4, 1e-6, 1e-8, 1e-11})
-        for (const auto& [from, to] : {std::pair(0.0, 0.999), std::pair(0.977, 0.011), std::pair(0.731, 0.7311)})
+        for (const auto& [from, to] :
+             {std::pair(0.0, 0.999), std::pair(0.977, 0.011), std::pair(0.731, 0.7311)})
             if (const double worst = worst_of(eps, from, to); !(worst <= 4.5))
                 std::printf("eps %g, from %g to %g of the interval: %g ulp\n", eps, from, to, worst);
 }

@@ -57,7 +57,8 @@ template <class Scene> void race(const char* name) {
                 seen[k] = out[0];
             });
         for (std::thread& thread : threads) thread.join();
-        if (seen[0] != seen[4] || seen[0] != seen[2] || seen[3] != seen[7]) std::printf("%s, round %d\n", name, round);
+        if (seen[0] != seen[4] || seen[0] != seen[2] || seen[3] != seen[7])
+            std::printf("%s, round %d\n", name, round);
     }
 }
 

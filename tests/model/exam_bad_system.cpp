@@ -131,12 +131,6 @@ const BadInput bad_systems[] = {
      "    ^\n"
      "  found: 'q'\n"
      "  hint:  did you mean 'g'? Known are: g, r, v"},
-    {"RelationThatReadsARelation", "[notation]", "[relations]\nr = \"2*g\"\nm = \"3*r\"\n[notation]",
-     "2 system.toml:25:8: relations.m: a relation reads a parameter that [relations] gives\n"
-     "    m = \"3*r\"\n"
-     "           ^\n"
-     "  found: r\n"
-     "  hint:  write 'r' by the parameters that none gives"},
     {"RelationAgainstADeclaration", "[notation]", "[relations]\nr = \"eps*g\"\n[notation]",
      "2 system.toml:24:6: relations.r: a relation keeps at eps = 0 what is declared of 'r'\n"
      "    r = \"eps*g\"\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "emit/graph/conditioning.hpp"
 
+#include "algebra/number/number.hpp"
 #include "model/text/enclosure.hpp"
 #include "model/text/function_call.hpp"
 
