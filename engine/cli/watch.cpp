@@ -81,7 +81,8 @@ void Watch::print() {
     go_on_with("what is printed");
     const std::lock_guard lock(mutex_);
     if (const std::optional<Diagnostic> found = excess()) refuse(*found);
-    what_ = "a derivation with its printing";
+    begin_ = std::chrono::steady_clock::now();
+    what_ = "printing it";
 }
 
 void Watch::reached(const Rational& weight, const Rational& next, std::size_t terms) {

@@ -34,10 +34,10 @@ TEST(SlowWatch, EachTimeIsLimited) {
     };
     EXPECT_EXIT(derive(5, 0), testing::ExitedWithCode(3),
                 "a derivation takes at most 0.5 s\n  found: weight 3 reached and certified");
-    EXPECT_EXIT(derive(0, 5), testing::ExitedWithCode(3),
-                "a derivation with its printing takes at most 0.5 s\n  found: weight 3 reached and "
-                "certified, what is printed under "
-                "way");
+    EXPECT_EXIT(
+        derive(0, 5), testing::ExitedWithCode(3),
+        "printing it takes at most 0.5 s\n  found: weight 3 reached and certified, what is printed under "
+        "way");
 }
 
 } // namespace
