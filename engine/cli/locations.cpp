@@ -2,6 +2,7 @@
 #include "cli/locations.hpp"
 
 #include "algebra/number/error.hpp"
+#include "cli/arguments.hpp"
 #include "cli/output.hpp"
 #include "model/files/read_system.hpp"
 #include "model/system/names.hpp"
@@ -186,7 +187,7 @@ fs::path find_scene(const std::string& argument, const Home& home) {
     if (fs::is_regular_file(argument, ignored)) return argument;
     bad_input(Reason::file,
               {"SCENE must be the path of a scene file, as systems/NAME/scenes/SCENE.toml",
-               argument.empty()                ? "''"
+               argument.empty()                ? as_found(argument)
                : fs::exists(argument, ignored) ? "no regular file"
                                                : "no such file",
                question(scenes_like(argument, home)) + "All scenes: resonform list", whole_file(argument)});

@@ -34,8 +34,8 @@ template <class Real, class Number> Real exponential(const Number& x) {
     return value + value * low;
 }
 
-// A power of e below this is answered by 0, as tables do (runtime/kernel/block.hpp). Above it counts: what is
-// left without it may be 0, or as small, and it is a number to a call.
+// A power of e below this is taken for 0, as tables do (runtime/kernel/block.hpp). A larger one is kept: it
+// may be all that an output has left.
 inline constexpr double faded_power = 0x1p-1021;
 
 // Of all that decays with these powers of e nothing is left that a phase beside them could turn.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // at_end and ensemble of committed headers: the numbers of an evaluator in a wider type, the statuses of one
 // in its own.
-#include "support/shell.hpp"
+#include "support/compiler.hpp"
 
 #include <gtest/gtest.h>
 
@@ -247,17 +247,7 @@ int main() {
 
 std::string wrong_points(const std::string& scene, const std::string& options,
                          const std::string& width = "x86-64") {
-    const test::Scratch scratch;
-    test::write(scratch.path() / "main.cpp", point_program);
-    test::write(scratch.path() / "scene.hpp", "#include \"generated/" + scene + ".hpp\"\n");
-    std::string name = "resonform::generated::" + scene;
-    name.replace(name.find('/'), 1, "::");
-    const std::string root = RESONFORM_SOURCE_DIR;
-    const test::Outcome outcome = test::run(
-        std::string(RESONFORM_CXX_COMPILER) + " -std=gnu++20 -O1 -march=" + width + " -DSCENE=" + name + " " +
-            options + " -I. -I'" + root + "' -I'" + root + "/engine' main.cpp -o main -lquadmath && ./main",
-        scratch.path());
-    return outcome.code == 0 ? outcome.out : outcome.err.substr(0, 2000) + "\n(no program)";
+    return test::printed_beside(scene, point_program, "-march=" + width + " " + options);
 }
 
 TEST(SlowFinalPoint, OfAPhaseAndAQuadrature) {

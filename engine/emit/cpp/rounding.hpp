@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How far are outputs off because constants are rounded step by step, not once? First-order error analysis
-// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, chapter 3) at a sample of the arguments:
-// step k adds n_k independent units u = 2^-digits, and an error of it counts in an output by the share of
-// what it stands in, twice in a square:
+// (N. J. Higham, Accuracy and Stability of Numerical Algorithms, chapter 3) at a sample of the arguments.
+// Step k makes n_k independent errors of a unit u = 2^-digits. How far such an error changes an output is the
+// logarithmic derivative of the output by the step, 2 where the output is a square of it:
 //
 //   rounding^2 = sum_k n_k (d log output/d log step_k)^2 u^2,   output: the sum of the sizes of its terms
 #pragma once

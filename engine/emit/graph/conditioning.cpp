@@ -150,28 +150,6 @@ std::optional<Rational> value_of_constant(const Graph& graph, Graph::Node n) {
     return middle(*value);
 }
 
-// Terms of together so many times the size of their sum lose a digit, and more.
-constexpr int much = 16;
-
-// Whether a factor is a sum that may be far smaller than its terms: they are no numbers, or 20000 -
-// sqrt(19998)*sqrt(20002). sqrt(k)*(2 - sqrt(2)) loses no more than a digit.
-bool cancels_by_values(const Graph& graph, Graph::Node n) {
-    const Graph::Entry& e = graph.at(n);
-    if (e.op == Graph::Op::add) {
-        const std::optional<Rational> sum = value_of_constant(graph, n);
-        Rational sizes = 0;
-        for (const Graph::Node term : e.operands) {
-            const std::optional<Rational> value = value_of_constant(graph, term);
-            if (!value || !sum) return true;
-            sizes = sizes + cln::abs(*value);
-        }
-        return sizes > much * cln::abs(*sum);
-    }
-    if (e.op != Graph::Op::multiply && e.op != Graph::Op::power) return false;
-    return std::any_of(e.operands.begin(), e.operands.end(),
-                       [&](Graph::Node factor) { return cancels_by_values(graph, factor); });
-}
-
 // A sum of numbers with different signs, as its value to more digits than any real type has:
 //   1 - pi/3   ->   -0.0471975...
 Graph::Node with_all_digits(Graph& graph, Graph::Node n) {
@@ -210,20 +188,35 @@ Graph::Node Lowering::conditioned(const Polynomial& p) {
 
 Graph::Node Lowering::divisor(const Polynomial& p) {
     const Graph::Node plain = polynomial(p);
-    if (!cancels_by_values(*graph_, plain)) return plain;
+    if (!has_cancelling_factor(plain)) return plain;
     const std::optional<Graph::Node> rewritten = without_cancellation(p);
     return rewritten ? *rewritten : with_all_digits(*graph_, plain);
 }
 
+bool Lowering::has_cancelling_factor(Graph::Node n) {
+    const Graph::Entry& e = graph_->at(n);
+    if (e.op == Graph::Op::add) return cancels(n).value_or(true);
+    if (e.op != Graph::Op::multiply && e.op != Graph::Op::power) return false;
+    return std::any_of(e.operands.begin(), e.operands.end(),
+                       [this](Graph::Node factor) { return has_cancelling_factor(factor); });
+}
+
 Graph::Node Lowering::without_lost_digits(Graph::Node sum) {
-    if (graph_->at(sum).op != Graph::Op::add) return sum;
+    return cancels(sum).value_or(false) ? with_all_digits(*graph_, sum) : sum;
+}
+
+std::optional<bool> Lowering::cancels(Graph::Node sum) {
+    constexpr double much = 16; // a digit is lost, and more
+    const Graph::Entry& e = graph_->at(sum);
+    if (e.op != Graph::Op::add) return std::nullopt;
     double total = 0, sizes = 0;
-    for (const Graph::Node term : graph_->at(sum).operands) {
+    for (const Graph::Node term : e.operands) {
         const double value = rough_value(term);
         total += value;
         sizes += std::fabs(value);
     }
-    return sizes > much * std::fabs(total) ? with_all_digits(*graph_, sum) : sum; // not a number: a symbol
+    if (!std::isfinite(sizes)) return std::nullopt;
+    return sizes > much * std::fabs(total);
 }
 
 double Lowering::rough_value(Graph::Node n) {

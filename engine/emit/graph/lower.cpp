@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <numeric>
 #include <stdexcept>
@@ -179,7 +178,7 @@ Graph::Node Lowering::common_factor(Terms& terms, Rows rows, Change change) {
             const int own = terms.row(k)[id];
             if (!is_exponential(id))
                 common[id] = std::min(common[id], own);
-            else if (std::int64_t{own} * common[id] <= 0)
+            else if (own == 0 || (own > 0) != (common[id] > 0))
                 common[id] = 0;
             else if (std::abs(own) < std::abs(common[id]))
                 common[id] = own;

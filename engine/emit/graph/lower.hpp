@@ -90,8 +90,13 @@ private:
     [[nodiscard]] std::vector<std::size_t> varying_roots() const;
     [[nodiscard]] Graph::Node power(Graph::Node x, int exponent) const;
     std::optional<Graph::Node> without_cancellation(const Polynomial& p);
-    // A sum of numbers that is far smaller than they are is formed exactly.
+    // Whether a sum is far smaller than the numbers it is made of; nullopt: it is no sum of numbers alone.
+    std::optional<bool> cancels(Graph::Node sum);
+    // Such a sum is formed exactly.
     Graph::Node without_lost_digits(Graph::Node sum);
+    // Whether a factor is a sum that may be far smaller than its terms: they are no numbers, or 20000 -
+    // sqrt(19998)*sqrt(20002). sqrt(k)*(2 - sqrt(2)) loses no more than a digit.
+    bool has_cancelling_factor(Graph::Node n);
     // NaN: it has symbols.
     double rough_value(Graph::Node n);
     // The part of a sum in which e^u - 1 is a factor, divided by it, taken out of the sum; nullopt: none.

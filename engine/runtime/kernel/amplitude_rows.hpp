@@ -16,9 +16,9 @@
 
 #include "runtime/kernel/chebyshev.hpp"
 #include "runtime/kernel/scene.hpp"
+#include "runtime/twice.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
@@ -28,11 +28,6 @@ namespace resonform::kernel {
 
 inline constexpr double negligible = 1.5e-17; // of the scale of an output
 inline constexpr int weak_level = 6;          // of panels that are not halved for their scale any more
-
-// Products with small multiples of powers of 2 are exact.
-inline double in_26_bits(double x) {
-    return std::bit_cast<double>(std::bit_cast<unsigned long long>(x) & (~0ULL << 27));
-}
 
 template <std::size_t Rows> class AmplitudeFit {
     static constexpr std::size_t sides = (Rows + group - 1) / group;
@@ -119,10 +114,10 @@ public:
         to_powers(c.data(), p.size);
         const Chords& chord = chords_[p.chord + g];
         for (std::size_t l = 0; l < group; ++l) {
-            // The product is exact, and so is the sum with what it loses.
-            const double up = chord.slope.at[l] * p.middle, middle_of_panel = chord.middle.at[l];
-            const double sum = middle_of_panel + up, part = sum - middle_of_panel;
-            c[0].at[l] = sum + ((middle_of_panel - (sum - part)) + (up - part) + c[0].at[l]);
+            // slope * middle is exact: 26 bits and at most most_levels.
+            const auto [at_middle, lost] =
+                Twice<double>::sum(chord.middle.at[l], chord.slope.at[l] * p.middle);
+            c[0].at[l] = at_middle + (lost + c[0].at[l]);
             if (p.size > 1 && g * group + l < kept.size() && degree[g * group + l] > 0)
                 c[1].at[l] += chord.slope.at[l] * p.half;
         }
@@ -152,8 +147,9 @@ private:
         int level;
         std::size_t index;
         std::array<std::array<Side, sides>, nodes> c;
-        // Of each row the chord middle + slope x, -1 <= x <= 1, is not in c: what is left is small where the
-        // row becomes small, too, and rounds less.
+        // The chord of each row, middle + slope x for -1 <= x <= 1, is subtracted before the fit and added
+        // when c is turned to powers: what is fitted is small where the row is small, and so are its
+        // roundings.
         std::array<double, Rows> middle, slope;
         std::array<double, Rows> scale{}; // of each part, the smallest in the panel
         bool weak = false;
@@ -190,7 +186,7 @@ private:
         for (std::size_t r = 0; r < Rows; ++r) {
             const Fine first = values[r][0], last = values[r][nodes - 1]; // at node(0) = -node(nodes - 1)
             p.middle[r] = static_cast<double>((first + last) / 2);
-            p.slope[r] = in_26_bits(static_cast<double>(first - last) / (2 * node<double>(0)));
+            p.slope[r] = upper_half(static_cast<double>(first - last) / (2 * node<double>(0)));
         }
         std::array<Fine, nodes> x;
         for (std::size_t j = 0; j < nodes; ++j) x[j] = node<Fine>(j);

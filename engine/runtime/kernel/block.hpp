@@ -100,13 +100,12 @@ template <int N, int V>
     }
 }
 
-// The derivatives of such polynomials, of coefficients next to each other.
+// The same with its derivative, of coefficients next to each other.
 template <int N, int V>
-[[gnu::always_inline]] inline void slopes(const double* c, unsigned degree,
-                                          const typename Lanes<N>::Vector* x,
-                                          typename Lanes<N>::Vector* slope) {
+[[gnu::always_inline]] inline void
+polynomial_and_slope(const double* c, unsigned degree, const typename Lanes<N>::Vector* x,
+                     typename Lanes<N>::Vector* value, typename Lanes<N>::Vector* slope) {
     using L = Lanes<N>;
-    typename L::Vector value[V];
     RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
         value[i] = L::all(c[0]);
         slope[i] = L::all(0);
@@ -131,9 +130,11 @@ template <int N, int V, bool Low>
     const double* c = piece + p.offset;
     Vector large[V] = {}, rest[V] = {};
     if (p.wide == 0) {
-        polynomial<N, V>(c, 1, p.degree, at.v, rest);
         Vector slope[V];
-        if constexpr (Low) slopes<N, V>(c, p.degree, at.v, slope);
+        if constexpr (Low)
+            polynomial_and_slope<N, V>(c, p.degree, at.v, rest, slope);
+        else
+            polynomial<N, V>(c, 1, p.degree, at.v, rest);
         c += p.degree + 1;
         const Vector high = L::all(c[0]), low = L::all(c[1]);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) {
@@ -151,8 +152,10 @@ template <int N, int V, bool Low>
         Vector u[V], x[V], y[V], slope[V];
         const Vector unit = L::all(w.to_local / 2);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) u[i] = at.d[i] * unit; // exact
-        polynomial<N, V>(c, 1, p.degree, u, y);
-        if constexpr (Low) slopes<N, V>(c, p.degree, u, slope);
+        if constexpr (Low)
+            polynomial_and_slope<N, V>(c, p.degree, u, y, slope);
+        else
+            polynomial<N, V>(c, 1, p.degree, u, y);
         c += p.degree + 1;
         const Vector high = L::all(c[0]), low = L::all(c[1]);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) {

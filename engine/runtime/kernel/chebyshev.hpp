@@ -8,11 +8,19 @@
 #include "runtime/math.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace resonform::kernel {
 
 inline constexpr std::size_t nodes = 32;
+
+// x rounded to 26 bits: its products with numbers of as many are exact.
+inline double upper_half(double x) {
+    int exponent = 0;
+    const double part = std::frexp(x, &exponent);
+    return std::ldexp(std::round(std::ldexp(part, 26)), exponent - 26);
+}
 
 struct Side { // eight series
     double at[8];

@@ -20,13 +20,6 @@ inline constexpr double gone = -1100; // 2^gone is no number that counts
 
 template <class Wide> Wide ln_two() { return Wide(0.6931471805599453) + Wide(2.3190468138462996e-17); }
 
-// x rounded to 26 bits.
-inline double upper_half(double x) {
-    int exponent = 0;
-    const double part = std::frexp(x, &exponent);
-    return std::ldexp(std::round(std::ldexp(part, 26)), exponent - 26);
-}
-
 template <class Wide> class PhaseFit {
 public:
     using Series = std::array<Wide, nodes + 1>;

@@ -70,16 +70,15 @@ public:
     }
     // The same for one that moves, with its scale. Where a function f(x) passes through zero that is not |f|,
     // but what last places of x are worth, |f'(x)| (scale of x), by a difference quotient: a digit or two
-    // will do. A divisor that comes near zero is known to what cancels in it, and so is a root of what does.
+    // will do. Where a divisor comes near zero, or a radicand does, what cancels there is in the scale.
     template <class Number> static void set_moving_root(const Root& root, SymbolicValues<Number>& values) {
         const Number x = value_of(root.radicand, values).re;
         set_root(root, x, values);
-        if (root.divisor) {
-            if (!(x == 0))
-                values.set_condition(root.id, Number(scale_of(root.radicand, values) / math::magnitude(x)));
-        } else if (!root.function && root.data == nullptr) {
-            values.set_condition(root.id,
-                                 Number(1 + (cancellation_of(root.radicand, values) - 1) / root.index));
+        if (!root.function && root.data == nullptr) {
+            if (x == 0) return;
+            const Number terms =
+                root.divisor ? scale_of(root.radicand, values) : sizes_of_terms(root.radicand, values);
+            values.set_condition(root.id, Number(1 + (terms / math::magnitude(x) - 1) / root.index));
         } else if (root.function && *root.function != Function::exponential) {
             const Number step(1e-8), value = values[root.id].re;
             const Number change =

@@ -196,20 +196,15 @@ template <class Number> Number scale_of(const SymbolicSum& sum, const SymbolicVa
 template Wide scale_of(const SymbolicSum&, const SymbolicValues<Wide>&);
 template Float128 scale_of(const SymbolicSum&, const SymbolicValues<Float128>&);
 
-template <class Number> Number cancellation_of(const SymbolicSum& sum, const SymbolicValues<Number>& values) {
-    ComplexNumber<Number> total;
-    Number sizes = 0;
-    for (const SymbolicTerm& term : sum) {
-        const ComplexNumber<Number> value =
-            times(ComplexNumber<Number>{narrowed<Number>(term.coefficient), 0}, term.powers, values);
-        total = total + value;
-        sizes += value.size();
-    }
-    const Number size = total.size();
-    return size > 0 ? Number(sizes / size) : Number(1);
+template <class Number> Number sizes_of_terms(const SymbolicSum& sum, const SymbolicValues<Number>& values) {
+    Number total = 0;
+    for (const SymbolicTerm& term : sum)
+        total +=
+            times(ComplexNumber<Number>{narrowed<Number>(term.coefficient), 0}, term.powers, values).size();
+    return total;
 }
-template Wide cancellation_of(const SymbolicSum&, const SymbolicValues<Wide>&);
-template Float128 cancellation_of(const SymbolicSum&, const SymbolicValues<Float128>&);
+template Wide sizes_of_terms(const SymbolicSum&, const SymbolicValues<Wide>&);
+template Float128 sizes_of_terms(const SymbolicSum&, const SymbolicValues<Float128>&);
 
 template <class Number>
 MovingSum<Number>::MovingSum(const SymbolicSum& sum, const SymbolicValues<Wide>& constants,

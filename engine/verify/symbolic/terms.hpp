@@ -136,7 +136,8 @@ template <class Number> class SymbolicValues {
 public:
     using Complex = ComplexNumber<Number>;
     explicit SymbolicValues(int generators) : entries_(static_cast<std::size_t>(generators)) {}
-    template <class Other> explicit SymbolicValues(const SymbolicValues<Other>& other) { // of constants
+    template <class Other>
+    explicit SymbolicValues(const SymbolicValues<Other>& other) { // of constants: conditions are 1
         for (std::size_t k = 0; k < other.size(); ++k) {
             const auto id = static_cast<GeneratorId>(k);
             entries_.push_back({{narrowed<Number>(other[id].re), narrowed<Number>(other[id].im)},
@@ -153,7 +154,7 @@ public:
         entries_[static_cast<std::size_t>(id)] = {value, scale, {}, {}, {}, {}};
     }
     void set(GeneratorId id, const Number& value) { set(id, {value, 0}, math::magnitude(value)); }
-    // Last places of what it is made of are worth this many of its own, >= 1.
+    // A unit in the last place of what the generator is computed from changes it by so many of its own, >= 1.
     void set_condition(GeneratorId id, const Number& condition) {
         entries_[static_cast<std::size_t>(id)].condition = condition;
     }
@@ -179,8 +180,8 @@ private:
 template <class Number>
 ComplexNumber<Number> value_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
 template <class Number> Number scale_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
-// The sum of the sizes of its terms over its own size; 1 where that is 0.
-template <class Number> Number cancellation_of(const SymbolicSum& sum, const SymbolicValues<Number>& values);
+// The same of the values of the generators, whatever their scales.
+template <class Number> Number sizes_of_terms(const SymbolicSum& sum, const SymbolicValues<Number>& values);
 
 // A sum with the values of constants put in: terms that differ only by constants are merged.
 template <class Number> class MovingSum {
