@@ -147,7 +147,8 @@ TEST(BadInput, MissingFiles) {
         {"did you mean systems/almost_holonomic_pendulum/scenes/xy_only.toml? All scenes: resonform list"});
     EXPECT_SAYS(complaint("resonform verify systems"), {"SCENE must be the path of a scene file"});
     EXPECT_SAYS(complaint("resonform derive README.md"), {"README.md"});
-    EXPECT_SAYS(complaint("resonform verify ''"), {"SCENE must be the path of a scene file", "\n  found: ''\n"});
+    EXPECT_SAYS(complaint("resonform verify ''"),
+                {"SCENE must be the path of a scene file", "\n  found: ''\n"});
     EXPECT_SAYS(complaint("resonform ''"), {"the command must be one of", "\n  found: ''\n"});
 }
 
