@@ -53,9 +53,9 @@ typename LanesOf<Real>::Truth all_faded(unsigned long long bits, const std::arra
     return gone;
 }
 
-template <class Real> class Decay {
+template <class Real, class WideReal = WideNumber<Real>> class Decay {
 public:
-    using Wide = WideNumber<Real>;
+    using Wide = WideReal;
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels; `end` is drawn back to where the exponent is

@@ -39,8 +39,14 @@ using std::sin;
 using std::sinh;
 using std::sqrt;
 
-// Binary digits of a real type. (std::numeric_limits<__float128> is not specialised everywhere.)
-template <class Real> inline constexpr int digits = std::numeric_limits<Real>::digits;
+// Binary digits of a real type, of a decimal one those that its digits are worth.
+// (std::numeric_limits<__float128> is not specialised everywhere.)
+template <class Real> constexpr int digits_of() {
+    using Limits = std::numeric_limits<Real>;
+    static_assert(Limits::digits > 0 && Limits::digits < 1000000, "a real type has a fixed number of digits");
+    return Limits::radix == 10 ? Limits::digits * 3321 / 1000 : Limits::digits;
+}
+template <class Real> inline constexpr int digits = digits_of<Real>();
 #ifdef RESONFORM_FLOAT128
 template <> inline constexpr int digits<Float128> = 113;
 #endif
@@ -113,8 +119,22 @@ Real number(const Parts& parts, int exponent = 0) {
     return result;
 }
 
-// The chunks of pi, each with 53 bits, add up to 371 bits in any type that is built from doubles.
+// atan(1/n) by its series
+template <class Real> Real arctangent_of_inverse(int n) {
+    Real power = Real(Real(1) / Real(n)), sum = power;
+    for (int k = 3; power > epsilon<Real>() / Real(n); k += 2) {
+        power = power / Real(n * n);
+        const Real term = power / Real(k);
+        sum = k % 4 == 3 ? Real(sum - term) : Real(sum + term);
+    }
+    return sum;
+}
+
+// By chunks, each with 53 bits, that add up to 371 bits in any type that is built from doubles; of types with
+// more by Machin's formula.
 template <class Real> Real pi() {
+    if constexpr (digits < Real >> 371)
+        return Real(16) * arctangent_of_inverse<Real>(5) - Real(4) * arctangent_of_inverse<Real>(239);
     constexpr std::array<double, 7> chunks{
         3.141592653589793,     1.2246467991473532e-16, -2.9947698097183397e-33, 1.1124542208633653e-49,
         5.672231979640316e-66, 1.7449862161352486e-83, 6.02937273224954e-100};

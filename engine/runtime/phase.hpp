@@ -15,9 +15,9 @@ namespace resonform {
 // What a phase is known to in radians, or it ends.
 inline constexpr double known_radians = 1e-3;
 
-template <class Real> class Phase {
+template <class Real, class WideReal = WideNumber<Real>> class Phase {
 public:
-    using Wide = WideNumber<Real>;
+    using Wide = WideReal;
 
     // Tabulates rate(T) -> std::array<Wide, 1>, T from 0 to end. `rounded`: the rate has the precision of
     // Real only (it contains tables). Status as fit_panels, or outside_interval: the phase gets so large that

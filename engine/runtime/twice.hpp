@@ -9,6 +9,7 @@
 
 #include "runtime/math.hpp"
 
+#include <limits>
 #include <type_traits>
 
 namespace resonform {
@@ -24,14 +25,14 @@ template <class Real> struct Twice {
         : high(static_cast<Real>(x)), low(Real(0)) {} // exact up to 2^53
     explicit operator Real() const { return high + low; }
 
-    // a + b with |a| >= |b|
+    // a + b with |a| >= |b|. Brackets are Real(...): expression templates take others away.
     static Twice sorted_sum(Real a, Real b) {
         const Real s = a + b;
-        return {s, b - (s - a)};
+        return {s, b - Real(s - a)};
     }
     static Twice sum(Real a, Real b) {
         const Real s = a + b, part = s - a;
-        return {s, (a - (s - part)) + (b - part)};
+        return {s, Real(a - Real(s - part)) + Real(b - part)};
     }
     static Twice product(Real a, Real b) {
         const Real p = rounded_product(a, b);
@@ -96,9 +97,9 @@ private:
     };
     static Halves split(Real a) {
         constexpr int half = (math::digits<Real> + 1) / 2;
-        constexpr Real factor = math::power(Real(2), half) + Real(1);
+        const Real factor = math::power(Real(2), half) + Real(1);
         const Real scaled = factor * a;
-        const Real upper = scaled - (scaled - a);
+        const Real upper = scaled - Real(scaled - a);
         return {upper, a - upper};
     }
 };
@@ -107,9 +108,15 @@ namespace math {
 template <class Real> inline constexpr int digits<Twice<Real>> = 2 * digits<Real>;
 } // namespace math
 
-// The number for phases and times that must not be rounded to Real. Multiprecision has digits to spare.
+// Sums and products leave an error that is a number of Real: binary types that round to nearest do, decimal
+// ones of Boost have digits to spare instead.
+template <class Real>
+inline constexpr bool rounds_to_nearest =
+    std::numeric_limits<Real>::radix == 2 && std::numeric_limits<Real>::round_style == std::round_to_nearest;
+
+// The number for phases and times that must not be rounded to Real.
 template <class Real> struct WideNumberOf {
-    using type = std::conditional_t<std::is_floating_point_v<Real>, Twice<Real>, Real>;
+    using type = std::conditional_t<rounds_to_nearest<Real>, Twice<Real>, Real>;
 };
 #ifdef RESONFORM_FLOAT128
 template <> struct WideNumberOf<Float128> { using type = Twice<Float128>; };

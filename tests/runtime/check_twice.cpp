@@ -76,7 +76,32 @@ TEST(Pi, IsPiInEveryType) {
     EXPECT_EQ(math::pi<double>(), static_cast<double>(pi));
     EXPECT_EQ(math::pi<long double>(), static_cast<long double>(pi));
     expect_close(math::pi<Number>(), pi, 0, "pi");
-    EXPECT_LT(static_cast<double>(Hundred(abs(math::pi<Hundred>() - pi))), 1e-80);
+    EXPECT_LT(static_cast<double>(Hundred(abs(math::pi<Hundred>() - pi))), 1e-99);
+    using Longer = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<300>>;
+    const Longer long_pi = boost::math::constants::pi<Longer>();
+    EXPECT_LT(Longer(abs(math::pi<Longer>() - long_pi)), Longer("1e-298"));
+    const Twice<Hundred> twice = math::pi<Twice<Hundred>>();
+    EXPECT_LT(Longer(abs(Longer(twice.high) + Longer(twice.low) - long_pi)), Longer("1e-198"));
+}
+
+// Expression templates would add (b - part) as b, then -part.
+TEST(TwiceOfTemplates, LeavesNothingOfASumOrProduct) {
+    using Real =
+        boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_on>;
+    std::mt19937_64 generator(11);
+    const auto drawn = [&] {
+        return Real(Real(generator()) + Real(generator()) * Real(0x1p-64) +
+                    Real(generator()) * Real(0x1p-128));
+    };
+    for (int k = 0; k < 100; ++k) {
+        const Real a = drawn() * Real(0x1p-40), b = drawn();
+        const auto sum = Twice<Real>::sum(a, b), sorted = Twice<Real>::sorted_sum(b, a);
+        const auto product = Twice<Real>::product(a, b);
+        using Wide = boost::multiprecision::cpp_bin_float_100;
+        EXPECT_EQ(Wide(sum.high) + Wide(sum.low), Wide(a) + Wide(b));
+        EXPECT_EQ(Wide(sorted.high) + Wide(sorted.low), Wide(a) + Wide(b));
+        EXPECT_EQ(Wide(Wide(product.high) + Wide(product.low) - Wide(a) * Wide(b)), Wide(0));
+    }
 }
 
 } // namespace resonform

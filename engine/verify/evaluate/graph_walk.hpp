@@ -25,15 +25,19 @@ template <class Number> Number to_number(const Rational& value) {
     return to_number<Number>(binary_parts(value));
 }
 
+// The number for phases; multiprecision, in which nothing is judged, has digits to spare.
+template <class Number>
+using ReferenceWide = std::conditional_t<(math::digits<Number> > 113), Number, WideNumber<Number>>;
+
 // The number of twice the digits.
 template <class Number> struct Doubling {
-    using Wide = WideNumber<Number>;
+    using Wide = ReferenceWide<Number>;
     static Wide doubled(const Number& x) { return Wide(x); }
     static Number rounded(const Wide& x) { return Number(x); }
 };
 template <class Number> struct Doubling<Scaled<Number>> {
-    using Wide = Scaled<WideNumber<Number>>;
-    static Wide doubled(const Scaled<Number>& x) { return {WideNumber<Number>(x.mantissa), x.exponent}; }
+    using Wide = Scaled<ReferenceWide<Number>>;
+    static Wide doubled(const Scaled<Number>& x) { return {ReferenceWide<Number>(x.mantissa), x.exponent}; }
     static Scaled<Number> rounded(const Wide& x) { return {Number(x.mantissa), x.exponent}; }
 };
 

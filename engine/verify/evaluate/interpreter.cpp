@@ -33,7 +33,7 @@ template <class Real> bool all_finite(const std::vector<Real>& values) {
 } // namespace
 
 template <class Real> struct Interpreter<Real>::Impl {
-    using Wide = typename Phase<Real>::Wide;
+    using Wide = ReferenceWide<Real>;
 
     Impl(std::shared_ptr<const Interpretation> s, const Real& eps_value, std::vector<Real> parameter_values,
          std::vector<Real> start_values, const Real& slow_time_end)
@@ -348,8 +348,8 @@ template <class Real> struct Interpreter<Real>::Impl {
     Interval<Real> interval;
     std::optional<FlowTable<std::vector<Real>>> flow;
     std::vector<PrimitiveTable<Real, 1>> tables;
-    std::vector<Phase<Real>> phases;
-    std::vector<Decay<Real>> decays;
+    std::vector<Phase<Real, Wide>> phases;
+    std::vector<Decay<Real, Wide>> decays;
     Cause cause;
 };
 
