@@ -46,13 +46,13 @@ void ask_one_by_one(const EmittedPoints<Real>& points, EmittedAnswers<Real>& ans
     }
 }
 
-// Sets the answers at those times that the grid goes through.
+// Sets the answers at the points of the grid that are judged.
 void ask_grid(const EmittedProgram& code, const Evaluator<double>& emitted,
               const EmittedPoints<double>& points, EmittedAnswers<double>& answers) {
     EmittedAnswers<double> whole = room<double>(code, answers.form, answers.start, grid_points);
     emitted.grid(points.grid.t0, points.grid.dt, arrays_of(whole.values), whole.statuses);
-    for (const auto& [time, place] : points.grid.places) {
-        answers.times.push_back(time);
+    for (const auto& [point, place] : points.grid.places) {
+        answers.times.push_back(point);
         answers.statuses.push_back(whole.statuses[place]);
         for (std::size_t k = 0; k < whole.values.size(); ++k)
             answers.values[k].push_back(whole.values[k][place]);
@@ -94,7 +94,7 @@ void add_many(const EmittedProgram& code, const Evaluator<double>& emitted,
     if (code.program.has_tables()) {
         EmittedAnswers<double>& batch = asked(EmittedForm::batch, count);
         emitted.batch(points.times, arrays_of(batch.values), batch.statuses);
-        ask_grid(code, emitted, points, asked(EmittedForm::grid, 0));
+        if (!points.grid.places.empty()) ask_grid(code, emitted, points, asked(EmittedForm::grid, 0));
     }
     if (FinalPointLibrary::is_in(*code.library))
         ask_final_points(code, points, asked(EmittedForm::at_end, count));

@@ -26,7 +26,7 @@ constexpr bool is_final_point(EmittedForm form) { return form >= EmittedForm::at
 template <class Real> struct EmittedAnswers {
     std::size_t start;
     EmittedForm form;
-    std::vector<std::size_t> times; // their numbers; a grid goes through some of them
+    std::vector<std::size_t> times; // the numbers of their points
     std::vector<unsigned char> statuses;
     std::vector<std::vector<Real>> values; // [output][time]
     [[nodiscard]] Status status(std::size_t i) const { return static_cast<Status>(statuses[i]); }

@@ -80,6 +80,8 @@ template <class Real> bool EmittedJudge<Real>::takes(const std::string& canonica
 
 template <class Real> SymbolicPoints EmittedJudge<Real>::asked_of(const Points& d) const {
     SymbolicPoints points{{Wide(d.eps), {}, {}, Wide(d.end), {}}, {d.times.begin(), d.times.end()}};
+    for (const auto& [point, i] : d.grid.places)
+        points.times.push_back(Wide(d.grid.t0) + static_cast<long>(i) * Wide(d.grid.dt));
     for (const auto& [name, value] : d.start) {
         points.inputs.start.emplace(name, Wide(value));
         if (!takes(name)) points.inputs.untaken.insert(name);
@@ -189,7 +191,7 @@ std::size_t EmittedJudge<Real>::compare(const EmittedAnswers<Real>& answers, dou
     std::size_t compared = 0;
     for (std::size_t i = 0; i < answers.times.size(); ++i) {
         if (has_seen_more_than(enough)) break;
-        const Real t = drawn.times[answers.times[i]];
+        const Real t = static_cast<Real>(asked.times[answers.times[i]]);
         const SymbolicPoint& exact = exact_[answers.start][answers.times[i]];
         const Status status = answers.status(i);
         if (!agree(status, exact.status)) {

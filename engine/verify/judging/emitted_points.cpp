@@ -77,28 +77,15 @@ void move_from_zero(const Scene& scene, const Real& eps, Dice<Real>& dice, std::
     }
 }
 
-// Its points are exact: whole multiples of one unit, up to 2^digits of it.
-template <class Real> EmittedGrid<Real> grid_in(const Real& interval, const Real& offset) {
-    int exponent = 0;
-    std::frexp(interval, &exponent);
-    const Real unit = std::ldexp(Real(1), exponent - std::numeric_limits<Real>::digits);
-    const Real dt = std::floor(interval / Real(grid_points) / unit) * unit;
-    return {std::floor(offset * dt / unit) * unit, dt, {}};
-}
-
-// times, half of them on a grid
 template <class Real>
-void draw_times(const Real& interval, std::size_t times, Dice<Real>& dice, EmittedPoints<Real>& d) {
-    d.grid = grid_in(interval, dice.uniform());
-    for (std::size_t i = 0; i < times; ++i) {
-        if (i % 2 != 0) {
-            d.times.push_back(interval * dice.log_uniform(Real(earliest), Real(1)));
-            continue;
-        }
-        const auto place = static_cast<std::size_t>(dice.uniform() * Real(grid_points));
-        d.grid.places.emplace_back(i, place);
-        d.times.push_back(d.grid.t0 + static_cast<Real>(place) * d.grid.dt);
-    }
+void draw_points(const Real& interval, std::size_t times, Dice<Real>& dice, EmittedPoints<Real>& d) {
+    for (std::size_t i = 0; i < times; ++i)
+        d.times.push_back(interval *
+                          (i % 2 == 0 ? dice.uniform() : dice.log_uniform(Real(earliest), Real(1))));
+    d.grid.dt = interval / Real(grid_points);
+    d.grid.t0 = dice.uniform() * d.grid.dt;
+    for (std::size_t k = 0; k < times / 4; ++k)
+        d.grid.places.emplace_back(times + k, static_cast<std::size_t>(dice.uniform() * Real(grid_points)));
 }
 
 } // namespace
@@ -144,7 +131,7 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
         if (j % 2 == 1) move_from_zero(scene, d.eps, dice, start);
         for (std::size_t k = 0; k < scene.start.size(); ++k)
             d.start.emplace_back(canonical_start(scene.start[k].name, *scene.system), start[k]);
-        draw_times(interval, times, dice, d);
+        draw_points(interval, times, dice, d);
         drawn.push_back(std::move(d));
     }
     return drawn;

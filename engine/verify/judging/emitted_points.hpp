@@ -14,14 +14,15 @@
 
 namespace resonform {
 
-// A grid t0 + i dt that goes through some of the times, exactly.
+// A grid t0 + i dt with all digits of dt: its times are no numbers of Real.
 template <class Real> struct EmittedGrid {
     Real t0, dt;
-    std::vector<std::pair<std::size_t, std::size_t>> places; // number of a time, i
+    std::vector<std::pair<std::size_t, std::size_t>> places; // number of a point, after those of times; i
 };
 constexpr std::size_t grid_points = 1024;
 
-// One construction of an evaluator, and the times at which it is asked. Real: double, long double.
+// One construction of an evaluator, and the points at which it is asked: times, then those of the grid. Real:
+// double, long double.
 template <class Real> struct EmittedPoints {
     Real eps, end;                                   // of slow time
     std::vector<std::pair<std::string, Real>> start; // by canonical name
@@ -44,8 +45,9 @@ template <class Real> struct EmittedPoints {
 
 // eps is drawn from the ladder of the scene and three decades below it, log-uniform; start values within a
 // factor of 10 of the scene's, and of every second start those that are 0 within +-eps^weight (the first
-// start is the scene's); half of the times, the first among them, from a grid in [0, interval], and half
-// log-uniform from 1e-12 of it. Precondition: every parameter is fixed.
+// start is the scene's); half of the times, the first among them, uniform in [0, interval], and half
+// log-uniform from 1e-12 of it; a quarter as many points of a grid in it. Precondition: every parameter is
+// fixed.
 template <class Real>
 std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t starts, std::size_t times,
                                                 std::uint64_t seed);
