@@ -33,6 +33,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
 #include <type_traits>
 
 namespace resonform::generated::michaelis_menten::slow_manifold {
@@ -99,11 +100,15 @@ public:
     static Status at_end(const Real& eps, const Parameters& parameters, const Start& start, const Real& t, Values& values) noexcept {
         Constants<Real> c;
         Arguments a;
-        const Status located = locate_end(eps, parameters, start, t, c, a);
+        Status located = locate_end(eps, parameters, start, t, c, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
         if (!answers && located != Status::bad_argument) { // what the tables of an evaluator say
             const Real end = eps * t, least = Real(1e-249);
-            return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
+            try {
+                return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
+            } catch (const std::bad_alloc&) {
+                located = Status::no_memory;
+            }
         }
         const Status status = answers ? outputs(c, a, values) : located;
         if (status == Status::ok) return located;

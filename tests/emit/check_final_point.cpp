@@ -22,9 +22,10 @@ constexpr const char* point_program = R"(
 #include <vector>
 
 static long allocated = 0;
+static bool starving = false;
 void* operator new(std::size_t n) {
     ++allocated;
-    if (void* p = std::malloc(n)) return p;
+    if (void* p = starving ? nullptr : std::malloc(n)) return p;
     throw std::bad_alloc();
 }
 void operator delete(void* p) noexcept { std::free(p); }
@@ -224,6 +225,12 @@ template <class Real, class Wide> struct Check {
         expect(Own::at_end(eps, {}, start, none, v), Status::bad_argument, "t");
         expect(Own::at_end(eps, {}, start, Real(1) / Real(0 * eps), v), Status::bad_argument, "t infinite");
         expect(Own::at_end(eps, {}, start, Real(-1), v), Status::outside_interval, "t < 0");
+        allocated = 0;
+        starving = true;
+        const Status without = Own::at_end(eps, {}, start, Real(-1), v);
+        starving = false;
+        expect(without, allocated > 0 ? Status::no_memory : Status::outside_interval, "t < 0, no memory");
+        if (member<Real>(v, 0) == member<Real>(v, 0)) std::printf("t < 0: a number\n");
         member<Real>(start, 0) = none;
         expect(Own::at_end(eps, {}, start, Real(1), v), Status::bad_argument, "start");
         if (TURNS)

@@ -104,8 +104,8 @@ std::string runtime(const Program& program, const CppOptions& options) {
 }
 
 std::string includes(const Program& program, const CppOptions& options) {
-    return runtime(program, options) + "#include <algorithm>\n#include <array>\n#include <cstddef>\n#include "
-                                       "<type_traits>\n\n";
+    return runtime(program, options) + "#include <algorithm>\n#include <array>\n#include <cstddef>\n" +
+           (program.flow.empty() ? "" : "#include <new>\n") + "#include <type_traits>\n\n";
 }
 
 // The formulas that go further, each in a namespace.

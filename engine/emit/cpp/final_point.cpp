@@ -197,6 +197,7 @@ std::string cpp_at_end(const CppPlan& plan) {
     const std::vector<std::string> none(plan.outputs.size(), "none");
     return filled(frames::at_end,
                   {{"unless", flow ? ", unless\n    // the flow leaves its domain or hardly resolves" : ""},
+                   {"kept", flow ? "" : "const "},
                    {"otherwise", flow ? std::string(frames::by_tables) : ""},
                    {"none", fmt::format("{}", fmt::join(none, ", "))}});
 }
