@@ -100,7 +100,7 @@ struct Tabulated {
     static BatchReport batch(const Evaluator& evaluator, const Real* t, std::size_t n,
                              const std::array<Real*, Count>& outputs, Status* status) noexcept {
         if constexpr (std::is_same_v<Real, double>)
-            if (n > 0 && evaluator.prepare_tables() == Status::ok) {
+            if (n > 0 && has_tables(evaluator)) {
                 const kernel::Direct direct{&evaluator, &direct_at<Evaluator>};
                 return loops().batch(evaluator.view(), t, n, outputs.data(), status, &direct);
             }
@@ -111,7 +111,7 @@ struct Tabulated {
     static BatchReport grid(const Evaluator& evaluator, const Real& t0, const Real& dt, std::size_t n,
                             const std::array<Real*, Count>& outputs, Status* status) noexcept {
         if constexpr (std::is_same_v<Real, double>)
-            if (n > 0 && evaluator.prepare_tables() == Status::ok) {
+            if (n > 0 && has_tables(evaluator)) {
                 const kernel::Direct direct{&evaluator, &direct_at<Evaluator>};
                 return loops().grid(evaluator.view(), t0, dt, n, outputs.data(), status, &direct);
             }
@@ -119,6 +119,10 @@ struct Tabulated {
     }
 
 private:
+    // Of a construction that failed nothing is built.
+    template <class Evaluator> static bool has_tables(const Evaluator& evaluator) noexcept {
+        return evaluator.construction_status() == Status::ok && evaluator.prepare_tables() == Status::ok;
+    }
     template <class Evaluator>
     static Status direct_at(const void* evaluator, double t, double low, double* numbers) noexcept {
         typename Evaluator::Values values;

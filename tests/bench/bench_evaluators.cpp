@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times of emitted evaluators in every width of the processor, in ns and as multiples of a yardstick of the
-// same run: build/release/tests/bench_evaluators [--format json]. New times t in each repetition, nothing
-// kept between calls; the least of many.
+// same run: build/release/tests/bench_evaluators --help. New times t in each repetition, nothing kept between
+// calls; the least of many.
 #include "bench/measure.hpp"
 #include "bench/members.hpp"
 #include "runtime/batch.hpp"
@@ -9,17 +9,21 @@
 #include "verify/evaluate/evaluator.hpp"
 #include "verify/evaluate/program_defaults.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 void sines_baseline(const double* t, std::size_t n, double* c, double* s);
@@ -92,6 +96,9 @@ struct Yardstick {
 
 class Bench {
 public:
+    // seen: of each row as soon as it is measured.
+    explicit Bench(std::function<void(const Row&)> seen) : seen_(std::move(seen)) {}
+
     // Orders of a scene; the default start and interval.
     void scene(const std::string& system, const std::string& name, const std::vector<int>& orders,
                const std::vector<double>& list) {
@@ -227,8 +234,10 @@ private:
         row.yardstick = yardstick;
         row.to_reach = to_reach;
         rows_.push_back(row);
+        seen_(row);
     }
 
+    std::function<void(const Row&)> seen_;
     Row row_;
     std::vector<Row> rows_;
 };
@@ -256,38 +265,57 @@ void print_json(const std::vector<Row>& rows) {
     std::printf("%s\n", document.dump(2).c_str());
 }
 
-void print_text(const std::vector<Row>& rows) {
-    std::printf("%s\n", processor().c_str());
-    std::string title;
-    for (const Row& r : rows) {
-        const std::string own = fmt::format("{}, order {}, eps = {:g}", r.scene, r.order, r.eps);
-        if (own != title) std::printf("%s\n", own.c_str());
-        title = own;
-        std::string line = fmt::format("  {:<42} {:<9} {:10.2f} ns", r.quantity, r.simd, r.ns);
-        if (r.yardstick > 0) line += fmt::format(" {:7.2f} x {:.2f} ns", r.ns / r.yardstick, r.yardstick);
-        if (r.to_reach > 0)
-            line += fmt::format(", to reach {:g}{}", r.to_reach,
-                                r.ns / r.yardstick > r.to_reach ? ": falls short" : "");
-        std::printf("%s\n", line.c_str());
-    }
+void print_text(const Row& r, std::string& title) {
+    const std::string own = fmt::format("{}, order {}, eps = {:g}", r.scene, r.order, r.eps);
+    if (own != title) std::printf("%s\n", own.c_str());
+    title = own;
+    std::string line = fmt::format("  {:<42} {:<9} {:10.2f} ns", r.quantity, r.simd, r.ns);
+    if (r.yardstick > 0) line += fmt::format(" {:7.2f} x {:.2f} ns", r.ns / r.yardstick, r.yardstick);
+    if (r.to_reach > 0)
+        line += fmt::format(", to reach {:g}{}", r.to_reach,
+                            r.ns / r.yardstick > r.to_reach ? ": falls short" : "");
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
 }
+
+struct Subject {
+    const char *system, *scene;
+    std::vector<int> orders;
+    std::vector<double> eps;
+    [[nodiscard]] std::string name() const { return fmt::format("{}/{}", system, scene); }
+};
+const std::array subjects{
+    Subject{"almost_holonomic_pendulum", "third_order", {3, 5, 7, 9}, {1e-3, 1e-2}},
+    Subject{"almost_holonomic_pendulum", "mean_motion", {3}, {1e-3}},
+    Subject{"henon_heiles", "third_order", {3, 5, 7}, {1e-2}},
+    Subject{"three_oscillators_chain", "third_order", {3, 5}, {1e-2}},
+};
 
 } // namespace
 } // namespace resonform
 
 int main(int argc, char** argv) {
     using namespace resonform;
-    const bool json = argc == 3 && std::strcmp(argv[1], "--format") == 0 && std::strcmp(argv[2], "json") == 0;
-    if (argc > 1 && !json) {
-        std::fprintf(stderr, "usage: bench_evaluators [--format json]\n");
-        return 2;
-    }
+    std::vector<std::string> names_of_scenes, wanted;
+    for (const Subject& subject : subjects) names_of_scenes.push_back(subject.name());
+    std::string format = "text";
+    CLI::App app("times of emitted evaluators, in ns and as multiples of a sincos of the same width");
+    app.add_option("--scene", wanted, "measure this scene; may be repeated; default: all")
+        ->check(CLI::IsMember(names_of_scenes));
+    app.add_option("--format", format, "how to print")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+
     const Simd widest = simd();
-    Bench bench;
-    bench.scene("almost_holonomic_pendulum", "third_order", {3, 5, 7, 9}, {1e-3, 1e-2});
-    bench.scene("almost_holonomic_pendulum", "mean_motion", {3}, {1e-3});
-    bench.scene("henon_heiles", "third_order", {3, 5, 7}, {1e-2});
-    bench.scene("three_oscillators_chain", "third_order", {3, 5}, {1e-2});
+    std::string title;
+    Bench bench([&](const Row& row) {
+        if (format == "text") print_text(row, title);
+    });
+    if (format == "text") std::printf("%s\n", processor().c_str());
+    for (const Subject& subject : subjects)
+        if (wanted.empty() || std::find(wanted.begin(), wanted.end(), subject.name()) != wanted.end())
+            bench.scene(subject.system, subject.scene, subject.orders, subject.eps);
     force_simd(widest);
-    json ? print_json(bench.rows()) : print_text(bench.rows());
+    if (format == "json") print_json(bench.rows());
 }

@@ -233,6 +233,18 @@ TYPED_TEST(ManyPoints, AllocateNothingOncePrepared) {
     EXPECT_EQ(allocations, before);
 }
 
+TYPED_TEST(ManyPoints, OfAConstructionThatFailedAllocateNothing) {
+    using F = ManyPoints<TypeParam>;
+    const typename F::Double evaluator(-1e-3);
+    const std::vector<double> t(3, 1.0);
+    Columns values = F::columns(t.size());
+    const long before = allocations;
+    EXPECT_EQ(evaluator.prepare(), Status::bad_argument);
+    EXPECT_EQ(F::batch(evaluator, t, values, nullptr, F::places).worst, Status::bad_argument);
+    EXPECT_EQ(F::grid(evaluator, 0, 0.01, values, nullptr, F::places).worst, Status::bad_argument);
+    EXPECT_EQ(allocations, before);
+}
+
 TYPED_TEST(ManyPoints, OfCopiesMadeWhileThreadsBuildAreTheSame) {
     using F = ManyPoints<TypeParam>;
     const std::vector<double> t = random_times(F::end_of(1e-2), 200);
