@@ -16,13 +16,8 @@
 
 namespace resonform {
 
-// Phases of double up to this are summed in long double, where that has the digits.
+// Phases up to this are summed in QuickNumber.
 inline constexpr double quick_radians = 2048;
-
-template <class Real> struct QuickNumberOf {
-    static constexpr bool longer = std::is_same_v<Real, double> && math::digits<long double> >= 64;
-    using type = std::conditional_t<longer, long double, WideNumber<Real>>;
-};
 
 // cos theta and sin theta, theta reduced to one turn before it is rounded.
 template <class Real, class Number> void turn(const Number& theta, Real& cosine, Real& sine) {
@@ -77,7 +72,7 @@ public:
                 if (!(Real(0) < end)) return beyond_;
             }
         }
-        using Quick = std::conditional_t<Course::angles == 0, Real, typename QuickNumberOf<Real>::type>;
+        using Quick = std::conditional_t<Course::angles == 0, Real, QuickNumber<Real>>;
         using Wide = std::conditional_t<Course::angles == 0, Real, WideNumber<Real>>;
         const auto whole = [&]<class Number>(const Number& product) {
             return beyond_ != Status::ok || T < least ? Number(end) : product;

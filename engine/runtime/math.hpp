@@ -44,6 +44,7 @@ using std::sqrt;
 template <class Real> constexpr int digits_of() {
     using Limits = std::numeric_limits<Real>;
     static_assert(Limits::digits > 0 && Limits::digits < 1000000, "a real type has a fixed number of digits");
+    static_assert(Limits::has_quiet_NaN && Limits::has_infinity, "a real type has numbers that are none");
     return Limits::radix == 10 ? Limits::digits * 3321 / 1000 : Limits::digits;
 }
 template <class Real> inline constexpr int digits = digits_of<Real>();

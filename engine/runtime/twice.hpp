@@ -108,8 +108,8 @@ namespace math {
 template <class Real> inline constexpr int digits<Twice<Real>> = 2 * digits<Real>;
 } // namespace math
 
-// Sums and products leave an error that is a number of Real: binary types that round to nearest do, decimal
-// ones of Boost have digits to spare instead.
+// Sums and products leave an error that is a number of Real, so that Twice has all its digits. The decimal
+// types of Boost have some to spare instead.
 template <class Real>
 inline constexpr bool rounds_to_nearest =
     std::numeric_limits<Real>::radix == 2 && std::numeric_limits<Real>::round_style == std::round_to_nearest;
@@ -122,6 +122,11 @@ template <class Real> struct WideNumberOf {
 template <> struct WideNumberOf<Float128> { using type = Twice<Float128>; };
 #endif
 template <class Real> using WideNumber = typename WideNumberOf<Real>::type;
+
+// That for phases of few turns: a type of the processor with some more digits, if there is one.
+template <class Real>
+using QuickNumber =
+    std::conditional_t<std::is_same_v<math::Fine<Real>, Real>, WideNumber<Real>, math::Fine<Real>>;
 
 // Elementary functions: a result of Real, corrected by Newton's method in twice the precision.
 

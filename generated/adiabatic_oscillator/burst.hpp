@@ -446,7 +446,7 @@ private:
         template <class Wide> Phases<Wide> rates() const { return Phases<Wide>(of); }
     };
 
-    Status prepare_tables() const noexcept {
+    Status prepare_tables() const noexcept requires std::is_same_v<Real, double> {
         return shared_.prepare([this](resonform::kernel::Tables& tables) {
             return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
         });

@@ -502,7 +502,7 @@ private:
         std::array<Fine, 2> amplitudes(const Fine& T) const { return Evaluator::amplitudes(fine, T, widened<Fine>(of.look_up_1(static_cast<Real>(T)))); }
     };
 
-    Status prepare_tables() const noexcept {
+    Status prepare_tables() const noexcept requires std::is_same_v<Real, double> {
         return shared_.prepare([this](resonform::kernel::Tables& tables) {
             return resonform::Tabulated::build(*this, eps_, interval_.reach(), false, tables);
         });

@@ -7,6 +7,7 @@
 #include "runtime/kernel/atoms.hpp"
 #include "runtime/kernel/parts.hpp"
 #include "runtime/kernel/phase_rows.hpp"
+#include "runtime/twice.hpp"
 
 #include <new>
 
@@ -93,12 +94,11 @@ private:
             fill(rows, width);
             return Status::ok;
         } else {
-            // Long double is good enough, and much faster, as long as there are not many turns.
+            // QuickNumber is good enough, and much faster, as long as there are not many turns.
             double turns = 0;
             for (const double rate : scene.template rates<double>()(0.5 * eps * reach))
                 turns = std::max(turns, std::abs(rate) * (eps * reach));
-            if (turns < 1500 && math::digits < long double >> 60)
-                return with_phases<long double>(scene, options, rows, made, root);
+            if (turns < 1500) return with_phases<QuickNumber<double>>(scene, options, rows, made, root);
             return with_phases<Twice<double>>(scene, options, rows, made, root);
         }
     }
