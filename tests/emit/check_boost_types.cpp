@@ -28,7 +28,8 @@ using Exact = mp::cpp_bin_float_100;
 using resonform::Status;
 constexpr int count = 9;
 
-template <class Real> Exact exactly(const Real& x) { return Exact(x.str(120)); } // a binary one of 50: 168 bits
+// A binary number of 168 bits has fewer digits than that.
+template <class Real> Exact exactly(const Real& x) { return Exact(x.str(120)); }
 
 template <class Real> void look(const char* type, const char* eps_text) {
     using Own = SCENE::Evaluator<Real>;
