@@ -28,7 +28,7 @@ using Exact = mp::cpp_bin_float_100;
 using resonform::Status;
 constexpr int count = 9;
 
-// A binary number of 168 bits has fewer digits than that.
+// Rounded far below the last of 50 digits.
 template <class Real> Exact exactly(const Real& x) { return Exact(x.str(120)); }
 
 template <class Real> void look(const char* type, const char* eps_text) {
