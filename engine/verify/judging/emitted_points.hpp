@@ -38,7 +38,7 @@ template <class Real> struct EmittedPoints {
     [[nodiscard]] EmittedPoints at_first_time() const {
         EmittedPoints first = *this;
         first.times.resize(1);
-        first.grid.places.resize(1);
+        if (!first.grid.places.empty()) first.grid.places.resize(1);
         return first;
     }
 };
