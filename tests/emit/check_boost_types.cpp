@@ -87,11 +87,11 @@ int main() {
 }
 )";
 
-class SlowBoostTypes : public testing::TestWithParam<std::string> {};
-TEST_P(SlowBoostTypes, HaveTheirLastDigits) {
+class BoostTypes : public testing::TestWithParam<std::string> {};
+TEST_P(BoostTypes, HaveTheirLastDigits) {
     EXPECT_EQ(test::printed_beside(GetParam(), boost_program, ""), "");
 }
-INSTANTIATE_TEST_SUITE_P(Scenes, SlowBoostTypes,
+INSTANTIATE_TEST_SUITE_P(SlowScenes, BoostTypes,
                          testing::Values("almost_holonomic_pendulum/third_order", "stiff_spring/stiff"),
                          [](const auto& info) { return info.param.substr(0, info.param.find('/')); });
 
