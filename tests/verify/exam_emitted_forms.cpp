@@ -23,19 +23,28 @@ namespace fs = std::filesystem;
 
 Scene asked_scene() { return test::scene_of("slowly_stiffening_oscillator", "third_order"); }
 
-TEST(EmittedPoints, HalfOfTheTimesAreExactlyThoseOfAGrid) {
+// Else nothing would tell a grid from calls.
+TEST(EmittedPoints, OfAGridAreBesideTheTimesAndFewOfThemAreDoubles) {
+    std::size_t next_to_doubles = 0;
     for (const auto& points : emitted_points<double>(asked_scene(), 20, 40, 1)) {
-        ASSERT_EQ(points.grid.places.size(), 20U);
-        EXPECT_EQ(points.grid.places.front().first, 0U);
-        for (const auto& [time, place] : points.grid.places) {
+        ASSERT_EQ(points.times.size(), 40U);
+        ASSERT_EQ(points.grid.places.size(), 10U);
+        std::size_t number = points.times.size();
+        for (const auto& [point, place] : points.grid.places) {
+            EXPECT_EQ(point, number++);
             ASSERT_LT(place, grid_points);
             const Float128 exact =
                 Float128(points.grid.t0) + Float128(static_cast<int>(place)) * Float128(points.grid.dt);
-            EXPECT_EQ(Float128(points.times[time]), exact);
-            EXPECT_LE(points.times[time] * points.eps, points.end);
+            EXPECT_LE(exact * Float128(points.eps), Float128(points.end));
+            next_to_doubles += Float128(static_cast<double>(exact)) != exact ? 1 : 0;
         }
-        EXPECT_EQ(points.at_first_time().times, std::vector<double>{points.times.front()});
+        const auto first = points.at_first_time();
+        EXPECT_EQ(first.times, std::vector<double>{points.times.front()});
+        EXPECT_EQ(first.grid.places.size(), 1U);
     }
+    EXPECT_GT(next_to_doubles, 150U);
+    for (const auto& points : emitted_points<double>(asked_scene(), 3, 1, 1))
+        EXPECT_TRUE(points.at_first_time().grid.places.empty());
 }
 
 // The pendulum starts at xi = 0: no coefficient of it would be seen.
