@@ -7,7 +7,7 @@ target_include_directories(batch PRIVATE ${CMAKE_SOURCE_DIR}/engine)
 target_link_libraries(batch PUBLIC runtime) # cmake/install.cmake
 target_compile_definitions(batch INTERFACE RESONFORM_BATCH) # runtime/tabulated.hpp calls these loops
 target_compile_options(batch PRIVATE ${RESONFORM_WARNINGS})
-set_target_properties(batch PROPERTIES UNITY_BUILD OFF)
+set_target_properties(batch PROPERTIES UNITY_BUILD OFF OUTPUT_NAME resonform_batch)
 # No signal and no errno is asked for; NaN and infinity count as ever.
 set(loops -O3 -fno-math-errno -fno-trapping-math -fno-exceptions)
 set_source_files_properties(${widths}/baseline.cpp PROPERTIES COMPILE_OPTIONS "${loops}")

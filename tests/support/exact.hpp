@@ -44,7 +44,7 @@ inline Polynomial coefficient(const CoefficientRing& coefficients, const System&
     for (const auto& v : system.variables)
         if (v.role == Role::slow) scope.define(v.name, v.jet.front());
     scope.define("eps", system.eps);
-    const SourceText source{"test", "expected", 1, 1, text, true};
+    const SourceText source{{"test", 1, 1, "expected", text}};
     return coefficients.convert(read_expression(text, scope, source), {});
 }
 

@@ -49,17 +49,11 @@ public:
 private:
     void declare(const GiNaC::symbol& symbol, const std::string& name, const std::string& unit,
                  const Dimension& factor, const Place& place = {}) {
-        SourceText source;
-        source.file = place.file;
-        source.key = place.key;
-        source.line = place.line;
-        source.column = place.column;
-        source.source_line = place.source_line;
-        source.verbatim = false;
         any_ = any_ || !unit.empty();
         if (unit.empty() && std::find(missing_.begin(), missing_.end(), name) == missing_.end())
             missing_.push_back(name);
-        of_[symbol] = product(unit.empty() ? Dimensions::unknown(name) : read_unit(unit, source), factor);
+        of_[symbol] =
+            product(unit.empty() ? Dimensions::unknown(name) : read_unit(unit, {place, false}), factor);
     }
     Dimension of_sum(const ex& e, const SourceText& source);
     Dimension of_function(const ex& e, const SourceText& source);

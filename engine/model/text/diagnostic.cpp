@@ -60,15 +60,7 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
-Place place_of(const SourceText& source) {
-    Place place;
-    place.file = source.file;
-    place.line = source.line;
-    place.column = source.column;
-    place.key = source.key;
-    place.source_line = source.source_line;
-    return place;
-}
+Place place_of(const SourceText& source) { return static_cast<const Place&>(source); }
 
 Place whole_file(const std::filesystem::path& file) {
     Place place;

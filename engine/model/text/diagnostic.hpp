@@ -12,12 +12,7 @@
 namespace resonform {
 
 // Where a text comes from, so that a column in it can be shown in the file.
-struct SourceText {
-    std::string file;
-    std::string key; // "equations.psi"
-    int line = 0;
-    int column = 0; // column (1-based, in bytes) of the first character of the text in its line
-    std::string source_line;
+struct SourceText : Place { // of its first character
     bool verbatim = true; // false: the file spells the text with escapes, offsets do not carry over
 };
 
