@@ -13,7 +13,7 @@ namespace resonform {
 
 // Where a text comes from, so that a column in it can be shown in the file.
 struct SourceText : Place { // of its first character
-    bool verbatim = true; // false: the file spells the text with escapes, offsets do not carry over
+    bool verbatim = true;   // false: the file spells the text with escapes, offsets do not carry over
 };
 
 // The place of the whole text.
