@@ -77,15 +77,17 @@ void move_from_zero(const Scene& scene, const Real& eps, Dice<Real>& dice, std::
     }
 }
 
+// places: dice of their own, so that starts and times do not depend on the grid.
 template <class Real>
-void draw_points(const Real& interval, std::size_t times, Dice<Real>& dice, EmittedPoints<Real>& d) {
+void draw_points(const Real& interval, std::size_t times, Dice<Real>& dice, Dice<Real>& places,
+                 EmittedPoints<Real>& d) {
+    d.grid.dt = interval / Real(grid_points);
+    d.grid.t0 = dice.uniform() * d.grid.dt;
     for (std::size_t i = 0; i < times; ++i)
         d.times.push_back(interval *
                           (i % 2 == 0 ? dice.uniform() : dice.log_uniform(Real(earliest), Real(1))));
-    d.grid.dt = interval / Real(grid_points);
-    d.grid.t0 = dice.uniform() * d.grid.dt;
     for (std::size_t k = 0; k < times / 4; ++k)
-        d.grid.places.emplace_back(times + k, static_cast<std::size_t>(dice.uniform() * Real(grid_points)));
+        d.grid.places.emplace_back(times + k, static_cast<std::size_t>(places.uniform() * Real(grid_points)));
 }
 
 } // namespace
@@ -114,7 +116,7 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
     const Real low = std::max(eps_of(scene.verify.eps.back()) * Real(decades_below), Real(smallest_eps));
     const std::vector<Real> parameters = parameter_values<Real>(scene);
     const Tape expressions = interval_and_starts(scene);
-    Dice<Real> dice(seed);
+    Dice<Real> dice(seed), places(~seed);
     std::vector<EmittedPoints<Real>> drawn;
     for (std::size_t j = 0; j < starts; ++j) {
         EmittedPoints<Real> d;
@@ -131,7 +133,7 @@ std::vector<EmittedPoints<Real>> emitted_points(const Scene& scene, std::size_t 
         if (j % 2 == 1) move_from_zero(scene, d.eps, dice, start);
         for (std::size_t k = 0; k < scene.start.size(); ++k)
             d.start.emplace_back(canonical_start(scene.start[k].name, *scene.system), start[k]);
-        draw_points(interval, times, dice, d);
+        draw_points(interval, times, dice, places, d);
         drawn.push_back(std::move(d));
     }
     return drawn;
