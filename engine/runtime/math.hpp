@@ -134,7 +134,7 @@ template <class Real> Real arctangent_of_inverse(int n) {
 // By chunks, each with 53 bits, that add up to 371 bits in any type that is built from doubles; of types with
 // more by Machin's formula.
 template <class Real> Real pi() {
-    if constexpr (digits < Real >> 371)
+    if constexpr (371 < digits<Real>)
         return Real(16) * arctangent_of_inverse<Real>(5) - Real(4) * arctangent_of_inverse<Real>(239);
     constexpr std::array<double, 7> chunks{
         3.141592653589793,     1.2246467991473532e-16, -2.9947698097183397e-33, 1.1124542208633653e-49,

@@ -147,9 +147,9 @@ private:
         int level;
         std::size_t index;
         std::array<std::array<Side, sides>, nodes> c;
-        // The chord of each row, middle + slope x for -1 <= x <= 1, is subtracted before the fit and added
-        // when c is turned to powers: what is fitted is small where the row is small, and so are its
-        // roundings.
+        // The straight line through each row at the outermost nodes: middle + slope x, -1 <= x <= 1. c is the
+        // fit of the row without it; the line is added back when c is converted to powers of x. Where the
+        // row is nearly 0, so is c, and rounding errors of the fit stay small beside the row.
         std::array<double, Rows> middle, slope;
         std::array<double, Rows> scale{}; // of each part, the smallest in the panel
         bool weak = false;
