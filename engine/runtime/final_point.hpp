@@ -61,7 +61,7 @@ public:
         if (!math::finite(t)) return Status::bad_argument;
         if (t < Real(0)) return Status::outside_interval;
         const Real T = eps * t;
-        if (!(T < Real(1e250))) return Status::bad_argument;
+        if (!(T < Real(1e250))) return Status::outside_interval;
         at_start_ = !(Real(0) < T);
         const Real least = Real(1e-250); // what holds at t = 0 holds there
         Real end = T < least ? least : T;

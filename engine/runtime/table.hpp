@@ -7,6 +7,7 @@
 
 #include "runtime/panels.hpp"
 #include "runtime/pieces.hpp"
+#include "runtime/twice.hpp"
 
 namespace resonform {
 
@@ -57,7 +58,8 @@ public:
     [[nodiscard]] std::size_t panels() const { return panels_.size(); }
 
 private:
-    using Fine = math::Fine<Real>;
+    // In types that are not the processor's it would take more time than all the rest.
+    using Fine = std::conditional_t<std::is_floating_point_v<Real>, QuickNumber<Real>, Real>;
     static constexpr std::size_t terms = Panel<Real, Count>::size;
     struct Row {
         Real middle{}, per_half{};

@@ -133,7 +133,7 @@ public:
         Arguments a;
         Status located = locate_end(eps, parameters, start, t, c, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        if (!answers && located != Status::bad_argument) { // what the tables of an evaluator say
+        if (!answers && located != Status::bad_argument && eps * t < Real(1e250)) { // what the tables of an evaluator say
             const Real end = eps * t, least = Real(1e-249);
             try {
                 return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);
@@ -349,6 +349,17 @@ private:
     template <class Number> [[gnu::noinline]] static Cause keep_constants(
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
+        using Finer = resonform::QuickNumber<Real>;
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type> && !std::is_same_v<Finer, Real>) {
+            // one rounding is left of many
+            Cause cause;
+            const auto finely = [&](const auto& e, const auto& p, const auto& s, auto& result) {
+                Constants<Finer> fine;
+                compute_constants(e, p, s, fine);
+                cause = keep(fine, result);
+            };
+            if (resonform::in_range<Finer>(finely, c, eps, parameters, start)) return cause;
+        }
         const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
         if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)
             if (fits) return keep(c, c);

@@ -114,7 +114,7 @@ public:
         Arguments a;
         Status located = locate_end(eps, parameters, start, t, c, a);
         const bool answers = located == Status::ok || located == Status::low_precision;
-        if (!answers && located != Status::bad_argument) { // what the tables of an evaluator say
+        if (!answers && located != Status::bad_argument && eps * t < Real(1e250)) { // what the tables of an evaluator say
             const Real end = eps * t, least = Real(1e-249);
             try {
                 return Evaluator(eps, parameters, start, end > least ? end : least)(t, values);

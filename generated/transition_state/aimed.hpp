@@ -512,14 +512,16 @@ private:
     template <class Number> [[gnu::noinline]] static Cause keep_constants(
             const Real& eps, const Parameters& parameters, const Start& start, Constants<Number>& c) {
         const auto compute = [](const auto& e, const auto& p, const auto& s, auto& result) { compute_constants(e, p, s, result); };
-        if constexpr (std::is_same_v<Number, Real> && !std::is_same_v<Fine, Real>) { // one rounding is left of many
+        using Finer = resonform::QuickNumber<Real>;
+        if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type> && !std::is_same_v<Finer, Real>) {
+            // one rounding is left of many
             Cause cause;
             const auto finely = [&](const auto& e, const auto& p, const auto& s, auto& result) {
-                Constants<Fine> fine;
+                Constants<Finer> fine;
                 compute_constants(e, p, s, fine);
                 cause = keep(fine, result);
             };
-            if (resonform::in_range<Fine>(finely, c, eps, parameters, start)) return cause;
+            if (resonform::in_range<Finer>(finely, c, eps, parameters, start)) return cause;
         }
         const bool fits = resonform::in_range<Number>(compute, c, eps, parameters, start);
         if constexpr (std::is_same_v<Number, typename resonform::OneOf<Real>::type>)

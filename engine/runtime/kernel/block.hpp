@@ -68,7 +68,7 @@ template <int N>
 
 // Where V vectors of points stand in a piece.
 template <int N, int V> struct Place {
-    typename Lanes<N>::Vector d[V], v[V], low[V]; // low: the exact time less its rounded value t
+    typename Lanes<N>::template Several<V> d, v, low; // low: the exact time less its rounded value t
 };
 
 // A polynomial, highest power first, coefficients `stride` apart. One jump instead of a loop whose end would
@@ -128,9 +128,9 @@ template <int N, int V, bool Low>
     using L = Lanes<N>;
     using Vector = typename L::Vector;
     const double* c = piece + p.offset;
-    Vector large[V] = {}, rest[V] = {};
+    typename L::template Several<V> large = {}, rest = {};
     if (p.wide == 0) {
-        Vector slope[V];
+        typename L::template Several<V> slope;
         if constexpr (Low)
             polynomial_and_slope<N, V>(c, p.degree, at.v, rest, slope);
         else
@@ -149,7 +149,7 @@ template <int N, int V, bool Low>
         }
         c += 2;
     } else {
-        Vector u[V], x[V], y[V], slope[V];
+        typename L::template Several<V> u, x, y, slope;
         const Vector unit = L::all(w.to_local / 2);
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) u[i] = at.d[i] * unit; // exact
         if constexpr (Low)
@@ -191,7 +191,7 @@ template <int N, int V, bool Low>
     }
 }
 
-template <int N, int V> struct Factors { typename Lanes<N>::Vector at[most_factors][V]; };
+template <int N, int V> struct Factors { typename Lanes<N>::template Several<V> at[most_factors]; };
 
 template <int N, int V> [[gnu::always_inline]] inline void turn(const Step& s, Factors<N, V>& g) {
     using L = Lanes<N>;
@@ -209,7 +209,7 @@ template <int N, int V> [[gnu::always_inline]] inline void turn(const Step& s, F
 template <int N, int V, bool Low>
 [[gnu::always_inline]] inline void turn(const View& w, const PhaseRow& p, const double* piece,
                                         const Place<N, V>& at, Factors<N, V>& g) {
-    typename Lanes<N>::Vector f[V], turned[V];
+    typename Lanes<N>::template Several<V> f, turned;
     phase_of<N, V, Low>(w, p, piece, at, f, turned);
     auto& cosine = g.at[2 * p.harmonic];
     auto& sine = g.at[2 * p.harmonic + 1];
@@ -294,11 +294,11 @@ template <int N, int V, bool Low>
     for (unsigned o = 0; o < w.outputs; ++o) {
         if ((wanted >> o & 1) == 0) continue;
         const Output& output = w.output[o];
-        Vector sum[V];
+        typename L::template Several<V> sum;
         RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] = Vector{};
         for (unsigned r = output.first + (faded ? output.fading : 0); r < output.first + output.count; ++r) {
             const Row& row = w.row[r];
-            Vector value[V];
+            typename L::template Several<V> value;
             polynomial<N, V>(piece + row.offset, group, row.degree, at.v, value);
             if (row.factor == no_factor) {
                 RESONFORM_UNROLL for (int i = 0; i < V; ++i) sum[i] = value[i] + sum[i];

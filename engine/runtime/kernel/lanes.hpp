@@ -83,6 +83,7 @@ template <int N> struct Lanes {
     using Vector = typename VectorOf<N>::Vector;
     using Bits = typename VectorOf<N>::Bits;
     using Unaligned = typename VectorOf<N>::Unaligned;
+    template <int Count> using Several = Vector[static_cast<unsigned>(Count)];
 
     [[gnu::always_inline]] static Vector load(const double* from) {
         return *reinterpret_cast<const Unaligned*>(from);
