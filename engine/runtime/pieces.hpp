@@ -38,8 +38,8 @@ Number end_of_piece([[maybe_unused]] const Function& f, [[maybe_unused]] const N
     if constexpr (requires { f.edges; }) {
         const Number rounding = end * Number(0x1p-40);
         Number first = end;
-        for (const auto& edge : f.edges)
-            if (left + rounding < edge && edge + rounding < first) first = edge;
+        for (const auto& known : f.edges)
+            if (const Number edge(known); left + rounding < edge && edge + rounding < first) first = edge;
         return first;
     }
     return end;

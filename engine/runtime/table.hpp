@@ -59,7 +59,7 @@ public:
 
 private:
     // In types that are not the processor's it would take more time than all the rest.
-    using Fine = std::conditional_t<std::is_floating_point_v<Real>, QuickNumber<Real>, Real>;
+    using Fine = std::conditional_t<math::digits<Real> <= 64, QuickNumber<Real>, Real>;
     static constexpr std::size_t terms = Panel<Real, Count>::size;
     struct Row {
         Real middle{}, per_half{};
