@@ -5,9 +5,9 @@
 //   system      disc_on_a_track
 //   scene       second_order: The disc leaves its track, valid up to t = 1/eps
 //   order       2, normal form and map through weight 3
-//   operations  14 add, 29 multiply, 0 divide, 0 root, 1 sincos, 0 other, 3 tables
-//   written out 54 add, 214 multiply, 55 divide, 30 root, 36 sincos, 0 other, 15 tables
-//   many points from tables of 14 rows (198 operations, 183 from atoms, 523 one by one)
+//   operations  16 add, 29 multiply, 0 divide, 0 root, 1 sincos, 0 other, 3 tables
+//   written out 60 add, 233 multiply, 62 divide, 30 root, 36 sincos, 0 other, 15 tables
+//   many points from tables of 14 rows (198 operations, 189 from atoms, 525 one by one)
 //
 // z1 = a1*exp(I*theta_new)
 // z2 = conj(z1)
@@ -195,12 +195,12 @@ private:
         Number c_1;
         Number c_2;
         Number theta_0;
-        Number c_3;
         Number u_x;
+        Number c_3;
         Number c_4;
+        Number v_x;
         Number c_5;
         Number c_6;
-        Number v_x;
         Number c_7;
         Number c_8;
         Number c_9;
@@ -210,8 +210,8 @@ private:
         Number c_13;
         Number c_14;
         Number c_15;
-        Number constant_R;
         Number c_16;
+        Number constant_R;
         Number c_17;
         Number c_18;
         Number c_19;
@@ -226,6 +226,7 @@ private:
         Number c_28;
         Number c_29;
         Number c_30;
+        Number c_31;
     };
 
     template <class Number> static void compute_constants(
@@ -240,64 +241,67 @@ private:
         const Number theta_dot_0 = Number(start.theta_dot_0);
         const Number k_3 = theta_dot_0 * theta_dot_0;
         const Number k_4 = Number(9) / Number(32) * k_3;
-        c.c_3 = Number(3) / Number(16);
         const Number x_dot_0 = Number(start.x_dot_0);
-        const Number k_5 = c.c_1 * (x_0 * (-k_2 - k_4) - c.c_3 * x_dot_0 * c.theta_0 * theta_dot_0);
-        c.u_x = x_0 + k_5;
-        c.c_4 = Number(1) / Number(6);
-        const Number k_6 = sqrt(Number(Number(3) / Number(2)));
-        const Number k_7 = c.c_4 * k_6 * k_1;
-        c.c_5 = Number(1) / Number(4);
-        const Number k_8 = c.c_5 * k_6 * k_3;
-        c.c_6 = c.eps * (k_7 + k_8);
-        const Number k_9 = Number(5) / Number(16) * k_1;
-        const Number k_10 = Number(3) / Number(32) * k_3;
-        const Number k_11 = -x_dot_0 * k_6 * (k_9 - k_10) - Number(3) / Number(8) * x_0 * c.theta_0 * theta_dot_0 * k_6;
-        const Number k_12 = c.c_1 * k_11;
-        c.v_x = k_12 - x_dot_0 * k_6;
-        c.c_7 = c.eps * (-k_7 - k_8);
-        const Number k_13 = Number(1) / Number(24) * k_6 * k_1;
-        const Number k_14 = c.c_2 * k_6 * k_3;
-        c.c_8 = Number(1) / Number(3);
-        const Number k_15 = c.c_8 * k_6;
-        c.c_9 = theta_dot_0 * k_6 * (c.c_1 * (k_13 + k_14) + k_15);
-        c.c_10 = c.theta_0 * (c.c_1 * (-k_13 - k_14) - k_15);
-        c.c_11 = Number(0);
-        c.c_12 = Number(2) / Number(3) * k_6 * (Number(1) / c.eps);
-        c.c_13 = theta_dot_0 * k_6;
-        c.c_14 = Number(1) / Number(8);
+        const Number k_5 = x_0 * (-k_2 - k_4) - Number(3) / Number(16) * x_dot_0 * c.theta_0 * theta_dot_0;
+        const Number k_6 = c.c_1 * k_5;
+        c.u_x = x_0 + k_6;
+        const Number k_7 = sqrt(Number(Number(3) / Number(2)));
+        const Number k_8 = Number(1) / Number(6) * k_7 * k_1;
+        c.c_3 = Number(1) / Number(4);
+        const Number k_9 = c.c_3 * k_7 * k_3;
+        c.c_4 = c.eps * (k_8 + k_9);
+        const Number k_10 = Number(5) / Number(16) * k_1;
+        const Number k_11 = Number(3) / Number(32) * k_3;
+        const Number k_12 = -x_dot_0 * k_7 * (k_10 - k_11) - Number(3) / Number(8) * x_0 * c.theta_0 * theta_dot_0 * k_7;
+        const Number k_13 = c.c_1 * k_12;
+        c.v_x = k_13 - x_dot_0 * k_7;
+        c.c_5 = c.eps * (-k_8 - k_9);
+        const Number k_14 = Number(1) / Number(24) * k_7 * k_1;
+        const Number k_15 = c.c_2 * k_7 * k_3;
+        c.c_6 = Number(1) / Number(3);
+        const Number k_16 = c.c_6 * k_7;
+        c.c_7 = theta_dot_0 * k_7 * (c.c_1 * (k_14 + k_15) + k_16);
+        c.c_8 = c.theta_0 * (c.c_1 * (-k_14 - k_15) - k_16);
+        c.c_9 = Number(0);
+        c.c_10 = Number(2) / Number(3) * k_7 * (Number(1) / c.eps);
+        c.c_11 = theta_dot_0 * k_7;
+        c.c_12 = Number(1) / Number(8);
+        const Number k_17 = k_1 + Number(3) / Number(2) * k_3;
+        c.c_13 = c.c_12 * k_17;
         const Number y_0 = Number(start.y_0);
-        const Number k_16 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
-        const Number k_17 = k_16 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        const Number k_18 = c.theta_0 * k_17 + Number(3) / Number(256) * k_6 * c.v_x * (k_3 * theta_dot_0);
-        const Number k_19 = c.c_1 * k_18 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * theta_dot_0 * k_6 * c.v_x;
-        c.c_15 = y_0 - c.eps * k_19;
+        const Number k_18 = c.u_x * (Number(45) / Number(256) * k_3 - Number(7) / Number(384) * k_1);
+        const Number k_19 = k_18 + Number(5) / Number(128) * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
+        const Number k_20 = c.theta_0 * k_19 + Number(3) / Number(256) * k_7 * c.v_x * (k_3 * theta_dot_0);
+        const Number k_21 = c.c_1 * k_20 + c.c_3 * c.theta_0 * c.u_x + c.c_3 * theta_dot_0 * k_7 * c.v_x;
+        c.c_14 = y_0 - c.eps * k_21;
         const Number R_0 = Number(start.R_0);
-        const Number k_20 = c.u_x * (c.c_4 * k_1 + Number(1) / Number(2) * k_3) + c.c_8 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        c.constant_R = R_0 - c.c_1 * k_20;
-        const Number k_21 = Number(1) / Number(2) + c.c_1 * (k_2 + k_10);
-        c.c_16 = Number(2) * k_21;
-        c.c_17 = -Number(2) * k_21;
-        c.c_18 = c.c_1 * (Number(3) / Number(64) * k_3 - Number(1) / Number(32) * k_1);
-        c.c_19 = c.c_2 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
-        c.c_20 = c.c_14 * c.eps * c.theta_0;
-        c.c_21 = c.c_14 * c.eps * theta_dot_0 * k_6;
-        const Number k_22 = k_2 + k_4;
-        c.c_22 = c.c_1 * k_22;
-        c.c_23 = c.c_14 * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
-        c.c_24 = c.c_1 * (k_10 + c.c_3 * k_1);
-        c.c_25 = c.c_1 * (Number(1) / Number(48) * k_1 - Number(1) / Number(32) * k_3);
-        c.c_26 = Number(1) / Number(24) * c.theta_0 * theta_dot_0 * k_6 * c.c_1;
-        const Number k_23 = c.c_1 * c.eps;
-        const Number k_24 = c.c_1 * c.c_1;
-        const Number k_25 = c.u_x * k_22 - c.c_14 * c.theta_0 * theta_dot_0 * k_6 * c.v_x;
-        const Number k_26 = c.v_x * (k_10 - k_9) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_6 * c.u_x;
-        const Number k_27 = k_5 + c.c_1 * k_25;
-        const Number k_28 = k_12 + c.c_1 * k_26;
-        c.c_27 = k_23 * k_23 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_24 * (k_25 * k_25) + k_24 * (k_26 * k_26) - Number(4) * (k_27 * k_27 + k_28 * k_28);
-        c.c_28 = hypot(c.theta_0, Number(-theta_dot_0 * k_6));
-        c.c_29 = resonform::math::number<Number>({7.888609052210118e-31});
-        c.c_30 = Number(5) / Number(8) * c.c_1 * (c.c_28 * c.c_28);
+        const Number k_22 = c.u_x * (Number(1) / Number(6) * k_1 + Number(1) / Number(2) * k_3);
+        c.c_15 = Number(1) / Number(12);
+        c.c_16 = c.c_3 * k_17;
+        c.constant_R = R_0 - c.c_1 * (k_22 + c.c_6 * c.theta_0 * theta_dot_0 * k_7 * c.v_x);
+        const Number k_23 = Number(1) / Number(2) + c.c_1 * (k_2 + k_11);
+        c.c_17 = Number(2) * k_23;
+        c.c_18 = -Number(2) * k_23;
+        c.c_19 = c.c_1 * (Number(3) / Number(64) * k_3 - Number(1) / Number(32) * k_1);
+        c.c_20 = c.c_2 * c.theta_0 * theta_dot_0 * k_7 * c.c_1;
+        c.c_21 = c.c_12 * c.eps * c.theta_0;
+        c.c_22 = c.c_12 * c.eps * theta_dot_0 * k_7;
+        const Number k_24 = k_2 + k_4;
+        c.c_23 = c.c_1 * k_24;
+        c.c_24 = c.c_12 * c.theta_0 * theta_dot_0 * k_7 * c.c_1;
+        c.c_25 = c.c_1 * (k_11 + Number(3) / Number(16) * k_1);
+        c.c_26 = c.c_1 * (Number(1) / Number(48) * k_1 - Number(1) / Number(32) * k_3);
+        c.c_27 = Number(1) / Number(24) * c.theta_0 * theta_dot_0 * k_7 * c.c_1;
+        const Number k_25 = c.c_1 * c.eps;
+        const Number k_26 = c.c_1 * c.c_1;
+        const Number k_27 = c.u_x * k_24 - c.c_12 * c.theta_0 * theta_dot_0 * k_7 * c.v_x;
+        const Number k_28 = c.v_x * (k_11 - k_10) + Number(3) / Number(8) * c.theta_0 * theta_dot_0 * k_7 * c.u_x;
+        const Number k_29 = k_6 + c.c_1 * k_27;
+        const Number k_30 = k_13 + c.c_1 * k_28;
+        c.c_28 = k_25 * k_25 + x_0 * x_0 + Number(3) / Number(2) * (x_dot_0 * x_dot_0) + k_26 * (k_27 * k_27) + k_26 * (k_28 * k_28) - Number(4) * (k_29 * k_29 + k_30 * k_30);
+        c.c_29 = hypot(c.theta_0, Number(-theta_dot_0 * k_7));
+        c.c_30 = resonform::math::number<Number>({7.888609052210118e-31});
+        c.c_31 = Number(5) / Number(8) * c.c_1 * (c.c_29 * c.c_29);
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -305,41 +309,42 @@ private:
         keep(from.c_1, c.c_1, "c_1 in R");
         keep(from.c_2, c.c_2, "c_2 in x_2");
         keep(from.theta_0, c.theta_0, "theta_0");
-        keep(from.c_3, c.c_3, "c_3 in x_2");
         keep(from.u_x, c.u_x, "u_x");
-        keep(from.c_4, c.c_4, "c_4 in R_2");
-        keep(from.c_5, c.c_5, "c_5 in y_1");
-        keep(from.c_6, c.c_6, "c_6 in u_x");
+        keep(from.c_3, c.c_3, "c_3 in y_1");
+        keep(from.c_4, c.c_4, "c_4 in u_x");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_7, c.c_7, "c_7 in v_x");
-        keep(from.c_8, c.c_8, "c_8 in R_2");
-        keep(from.c_9, c.c_9, "c_9 in Q_y");
-        keep(from.c_10, c.c_10, "c_10 in Q_y");
-        keep(from.c_11, c.c_11, "c_11");
-        keep(from.c_12, c.c_12, "c_12 in theta");
-        keep(from.c_13, c.c_13, "c_13 in theta");
-        keep(from.c_14, c.c_14, "c_14 in x_2");
-        keep(from.c_15, c.c_15, "c_15 in y");
+        keep(from.c_5, c.c_5, "c_5 in v_x");
+        keep(from.c_6, c.c_6, "c_6 in R_2");
+        keep(from.c_7, c.c_7, "c_7 in Q_y");
+        keep(from.c_8, c.c_8, "c_8 in Q_y");
+        keep(from.c_9, c.c_9, "c_9");
+        keep(from.c_10, c.c_10, "c_10 in theta");
+        keep(from.c_11, c.c_11, "c_11 in theta");
+        keep(from.c_12, c.c_12, "c_12 in x_2");
+        keep(from.c_13, c.c_13, "c_13 in x_2");
+        keep(from.c_14, c.c_14, "c_14 in y");
+        keep(from.c_15, c.c_15, "c_15 in R_2");
+        keep(from.c_16, c.c_16, "c_16 in R_2");
         keep(from.constant_R, c.constant_R, "constant_R");
-        keep(from.c_16, c.c_16, "c_16 in x");
         keep(from.c_17, c.c_17, "c_17 in x");
         keep(from.c_18, c.c_18, "c_18 in x");
         keep(from.c_19, c.c_19, "c_19 in x");
-        keep(from.c_20, c.c_20, "c_20 in y");
+        keep(from.c_20, c.c_20, "c_20 in x");
         keep(from.c_21, c.c_21, "c_21 in y");
-        keep(from.c_22, c.c_22, "c_22 in R");
+        keep(from.c_22, c.c_22, "c_22 in y");
         keep(from.c_23, c.c_23, "c_23 in R");
         keep(from.c_24, c.c_24, "c_24 in R");
         keep(from.c_25, c.c_25, "c_25 in R");
         keep(from.c_26, c.c_26, "c_26 in R");
-        keep(from.c_28, c.c_28, "c_28 in x");
+        keep(from.c_27, c.c_27, "c_27 in R");
         keep(from.c_29, c.c_29, "c_29 in x");
         keep(from.c_30, c.c_30, "c_30 in x");
+        keep(from.c_31, c.c_31, "c_31 in x");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_27 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_28 > From(0))) return {Status::outside_domain, "x"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -375,15 +380,15 @@ private:
 
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
-        Number c_11;
-        Number c_12;
+        Number c_9;
+        Number c_10;
     };
 
     template <class Number> static void compute_phase_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
         const Number eps = Number(given_eps);
-        c.c_11 = Number(0);
-        c.c_12 = Number(2) / Number(3) * sqrt(Number(Number(3) / Number(2))) * (Number(1) / eps);
+        c.c_9 = Number(0);
+        c.c_10 = Number(2) / Number(3) * sqrt(Number(Number(3) / Number(2))) * (Number(1) / eps);
     }
 
     // With all of them, if a step leaves the range of Number.
@@ -394,8 +399,8 @@ private:
         if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
-            c.c_11 = all.c_11;
-            c.c_12 = all.c_12;
+            c.c_9 = all.c_9;
+            c.c_10 = all.c_10;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -407,7 +412,7 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];
         const Number u_x = flow[0];
-        return {Number(c.c_6 * v_x), Number(c.c_7 * u_x)};
+        return {Number(c.c_4 * v_x), Number(c.c_5 * u_x)};
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
@@ -417,7 +422,7 @@ private:
         const Number v_x = flow[1];
         const Number u_x = flow[0];
         const Number q_1 = hypot(u_x, v_x);
-        return {Number(hypot(q_1, c.c_28) + c.c_29 - c.c_30 * q_1)};
+        return {Number(hypot(q_1, c.c_29) + c.c_30 - c.c_31 * q_1)};
     }
 
     // dQ_y/dT
@@ -425,13 +430,13 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
         const Number v_x = tables[1];
         const Number u_x = tables[0];
-        return {Number(c.c_10 * v_x - c.c_9 * u_x)};
+        return {Number(c.c_8 * v_x - c.c_7 * u_x)};
     }
 
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_12;
+        return c.c_10;
     }
 
     // What differs from call to call.
@@ -447,18 +452,18 @@ private:
         const Real q_1 = u_x * a.cos_theta;
         const Real q_2 = v_x * a.sin_theta;
         const Real re_x = q_1 - q_2;
-        const Real re_theta = c.theta_0 * a.cos_theta + c.c_13 * a.sin_theta;
+        const Real re_theta = c.theta_0 * a.cos_theta + c.c_11 * a.sin_theta;
         const Real q_3 = re_theta * re_theta;
-        const Real im_theta = c.theta_0 * a.sin_theta - c.c_13 * a.cos_theta;
+        const Real im_theta = c.theta_0 * a.sin_theta - c.c_11 * a.cos_theta;
         const Real q_4 = im_theta * im_theta;
         const Real im_x = u_x * a.sin_theta + v_x * a.cos_theta;
-        const Real x_2 = re_x * (c.c_2 * q_3 + c.c_3 * q_4) + c.c_14 * im_x * re_theta * im_theta;
+        const Real x_2 = re_x * (c.c_2 * q_4 + c.c_13 - c.c_2 * q_3) + c.c_12 * im_x * re_theta * im_theta;
         const Real Q_y = a.tables[2];
-        const Real y_1 = c.c_5 * re_x * re_theta - c.c_5 * im_x * im_theta;
-        const Real R_2 = re_x * (c.c_4 * q_3 + c.c_8 * q_4) - c.c_8 * im_x * re_theta * im_theta;
+        const Real y_1 = c.c_3 * re_x * re_theta - c.c_3 * im_x * im_theta;
+        const Real R_2 = re_x * (c.c_15 * q_4 + c.c_16 - c.c_15 * q_3) - c.c_6 * im_x * re_theta * im_theta;
         values.x = q_1 + c.c_1 * x_2 - q_2;
         values.theta = re_theta;
-        values.y = Q_y + c.eps * y_1 + c.c_15;
+        values.y = Q_y + c.eps * y_1 + c.c_14;
         values.R = c.c_1 * R_2 + c.constant_R;
         return finite(values.x) && finite(values.theta) && finite(values.y) && finite(values.R) ? Status::ok : Status::overflow;
     }
@@ -469,7 +474,7 @@ private:
         const Number v_x = tables[1];
         const Number u_x = tables[0];
         const Number Q_y = tables[2];
-        return {Number(c.c_16 * u_x), Number(c.c_17 * v_x), Number(Number(2) * (c.c_18 * u_x - c.c_19 * v_x)), Number(-Number(2) * (c.c_18 * v_x + c.c_19 * u_x)), Number(c.theta_0), Number(c.c_13), Number(Q_y + c.c_15), Number(Number(2) * (c.c_20 * u_x + c.c_21 * v_x)), Number(-Number(2) * (c.c_20 * v_x - c.c_21 * u_x)), Number(c.constant_R), Number(Number(2) * (c.c_22 * u_x + c.c_23 * v_x)), Number(-Number(2) * (c.c_24 * v_x + c.c_23 * u_x)), Number(Number(2) * (c.c_25 * u_x + c.c_26 * v_x)), Number(-Number(2) * (c.c_25 * v_x - c.c_26 * u_x))};
+        return {Number(c.c_17 * u_x), Number(c.c_18 * v_x), Number(Number(2) * (c.c_19 * u_x - c.c_20 * v_x)), Number(-Number(2) * (c.c_19 * v_x + c.c_20 * u_x)), Number(c.theta_0), Number(c.c_11), Number(Q_y + c.c_14), Number(Number(2) * (c.c_21 * u_x + c.c_22 * v_x)), Number(-Number(2) * (c.c_21 * v_x - c.c_22 * u_x)), Number(c.constant_R), Number(Number(2) * (c.c_23 * u_x + c.c_24 * v_x)), Number(-Number(2) * (c.c_25 * v_x + c.c_24 * u_x)), Number(Number(2) * (c.c_26 * u_x + c.c_27 * v_x)), Number(-Number(2) * (c.c_26 * v_x - c.c_27 * u_x))};
     }
 
     using Cause = resonform::Cause;
@@ -558,7 +563,7 @@ private:
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
                 keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
-                start = {c.c_11};
+                start = {c.c_9};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
                 return {theta_rate(c, T)};
@@ -611,7 +616,7 @@ private:
         }
         static constexpr int samples = resonform::broad_layer_samples;
         auto margins(const Real& T, const Columns& row) const { return layers(c, T, resonform::first<2>(row)); }
-        auto conditions() const { return std::array<Real, 1>{c.c_27}; }
+        auto conditions() const { return std::array<Real, 1>{c.c_28}; }
         template <class Number> struct Angles {
             PhaseConstants<Number> own; // if they are not in Real
             Cause lost;
@@ -622,7 +627,7 @@ private:
                     lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
                 }
                 const auto& known = constants(course);
-                start = {known.c_11};
+                start = {known.c_9};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>) {
@@ -682,7 +687,7 @@ private:
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {theta_.build(theta_rates, wide.c_11, eps, reach), "theta"}, reach);
+                {theta_.build(theta_rates, wide.c_9, eps, reach), "theta"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

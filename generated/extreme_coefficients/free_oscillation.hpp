@@ -5,9 +5,9 @@
 //   system      extreme_coefficients
 //   scene       free_oscillation: A free oscillation, over 24 decades of every parameter
 //   order       2, normal form and map through weight 3
-//   operations  6 add, 12 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
-//   written out 13 add, 54 multiply, 6 divide, 3 root, 16 sincos, 4 other, 0 tables
-//   many points from tables of 5 rows (111 operations, 105 from atoms, 258 one by one)
+//   operations  7 add, 12 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
+//   written out 17 add, 70 multiply, 8 divide, 4 root, 18 sincos, 5 other, 0 tables
+//   many points from tables of 5 rows (111 operations, 105 from atoms, 259 one by one)
 //
 // z1 = a1*exp(I*theta)
 // z2 = conj(z1)
@@ -197,50 +197,52 @@ private:
         c.c_4 = amplitude_x * k_8;
         c.c_5 = amplitude_x * k_10;
         c.c_6 = Number(1) / Number(20) * k_2;
-        c.c_7 = Number(1) / Number(30) * k_13;
-        c.c_8 = Number(1) / Number(15) * k_13;
-        const Number k_16 = -Number(1) / Number(20) * k_7 * k_9 * k_13 - Number(1) / Number(20) * k_7 * k_11 * k_13;
-        c.c_9 = k_6 * c.c_2 * k_16;
-        const Number k_17 = Number(1) / Number(2) - Number(1) / Number(40) * c.eps * k_2;
-        c.c_10 = Number(2) * c.eps * amplitude_x * k_8 * k_17;
-        c.c_11 = -Number(2) * c.eps * amplitude_x * k_10 * k_17;
-        const Number k_18 = Number(1) / Number(120) * k_7 * k_9 * k_13 - Number(1) / Number(120) * k_7 * k_11 * k_13;
-        c.c_12 = Number(2) * k_6 * c.c_2 * k_18;
+        c.c_7 = Number(1) / Number(60) * k_13;
+        const Number k_16 = k_7 * k_9;
+        const Number k_17 = k_7 * k_11;
+        c.c_8 = Number(1) / Number(20) * k_13 * (k_16 + k_17);
+        const Number k_18 = -Number(1) / Number(20) * k_7 * k_9 * k_13 - Number(1) / Number(20) * k_7 * k_11 * k_13;
+        c.c_9 = k_6 * c.c_2 * k_18;
+        const Number k_19 = Number(1) / Number(2) - Number(1) / Number(40) * c.eps * k_2;
+        c.c_10 = Number(2) * c.eps * amplitude_x * k_8 * k_19;
+        c.c_11 = -Number(2) * c.eps * amplitude_x * k_10 * k_19;
+        const Number k_20 = Number(1) / Number(120) * k_7 * k_9 * k_13 - Number(1) / Number(120) * k_7 * k_11 * k_13;
+        c.c_12 = Number(2) * k_6 * c.c_2 * k_20;
         c.c_13 = -Number(1) / Number(30) * k_8 * k_10 * k_6 * k_7 * k_13 * c.c_2;
         c.c_14 = Number(49);
-        const Number k_19 = k_6 * c.eps;
-        const Number k_20 = Number(1) / Number(200) * c.eps * k_3;
-        const Number k_21 = k_20 - c.c_6;
-        const Number k_22 = c.eps * amplitude_x * k_8 * k_21;
-        const Number k_23 = -Number(1) / Number(32) * k_7 * k_9 - Number(9) / Number(160) * k_7 * k_11;
-        const Number k_24 = Number(1) / Number(100) * k_2 * k_7 * k_9 * k_13 + Number(1) / Number(50) * k_2 * k_7 * k_11 * k_13;
-        const Number k_25 = c.eps * k_24 - Number(1) / Number(30) * k_7 * k_9 * k_13 - Number(1) / Number(15) * k_7 * k_11 * k_13;
-        const Number k_26 = Number(11) / Number(4800) * k_7 * k_9 * k_14 + Number(7) / Number(4800) * k_7 * k_11 * k_14;
-        const Number k_27 = amplitude_x * k_8 * k_6 * k_23 + k_5 * (c.eps * k_25 + amplitude_x * k_8 * k_6 * k_26 * c.c_2);
-        const Number k_28 = k_5 * k_27;
-        const Number k_29 = k_22 + k_28;
-        const Number k_30 = c.c_6 - k_20;
-        const Number k_31 = c.eps * amplitude_x * k_10 * k_30;
-        const Number k_32 = Number(3) / Number(32) * k_7 * k_9 + Number(3) / Number(160) * k_7 * k_11;
-        const Number k_33 = c.c_8 - Number(1) / Number(75) * c.eps * k_2 * k_13;
-        const Number k_34 = -Number(1) / Number(4800) * k_7 * k_9 * k_14 - Number(13) / Number(4800) * k_7 * k_11 * k_14;
-        const Number k_35 = c.eps * k_8 * k_10 * k_7 * k_33 + amplitude_x * k_10 * k_6 * c.c_2 * k_34;
-        const Number k_36 = k_5 * (amplitude_x * k_10 * k_6 * k_32 + k_5 * k_35);
-        const Number k_37 = k_31 + k_36;
-        const Number k_38 = c.c_4 + k_22 + k_28;
-        const Number k_39 = k_38 * k_38;
-        const Number k_40 = c.c_5 + k_31 + k_36;
+        const Number k_21 = k_6 * c.eps;
+        const Number k_22 = Number(1) / Number(200) * c.eps * k_3;
+        const Number k_23 = k_22 - c.c_6;
+        const Number k_24 = c.eps * amplitude_x * k_8 * k_23;
+        const Number k_25 = -Number(1) / Number(32) * k_7 * k_9 - Number(9) / Number(160) * k_7 * k_11;
+        const Number k_26 = Number(1) / Number(100) * k_2 * k_7 * k_9 * k_13 + Number(1) / Number(50) * k_2 * k_7 * k_11 * k_13;
+        const Number k_27 = c.eps * k_26 - Number(1) / Number(30) * k_7 * k_9 * k_13 - Number(1) / Number(15) * k_7 * k_11 * k_13;
+        const Number k_28 = Number(11) / Number(4800) * k_7 * k_9 * k_14 + Number(7) / Number(4800) * k_7 * k_11 * k_14;
+        const Number k_29 = amplitude_x * k_8 * k_6 * k_25 + k_5 * (c.eps * k_27 + amplitude_x * k_8 * k_6 * k_28 * c.c_2);
+        const Number k_30 = k_5 * k_29;
+        const Number k_31 = k_24 + k_30;
+        const Number k_32 = c.c_6 - k_22;
+        const Number k_33 = c.eps * amplitude_x * k_10 * k_32;
+        const Number k_34 = Number(3) / Number(32) * k_7 * k_9 + Number(3) / Number(160) * k_7 * k_11;
+        const Number k_35 = Number(1) / Number(15) * k_13 - Number(1) / Number(75) * c.eps * k_2 * k_13;
+        const Number k_36 = -Number(1) / Number(4800) * k_7 * k_9 * k_14 - Number(13) / Number(4800) * k_7 * k_11 * k_14;
+        const Number k_37 = c.eps * k_8 * k_10 * k_7 * k_35 + amplitude_x * k_10 * k_6 * c.c_2 * k_36;
+        const Number k_38 = k_5 * (amplitude_x * k_10 * k_6 * k_34 + k_5 * k_37);
+        const Number k_39 = k_33 + k_38;
+        const Number k_40 = c.c_4 + k_24 + k_30;
         const Number k_41 = k_40 * k_40;
-        const Number k_42 = k_6 * k_38 * (-Number(1) / Number(32) * k_39 - Number(9) / Number(160) * k_41);
-        const Number k_43 = Number(1) / Number(100) * k_2 * k_13 * k_39 + Number(1) / Number(50) * k_2 * k_13 * k_41;
-        const Number k_44 = c.eps * k_43 - Number(1) / Number(30) * k_13 * k_39 - Number(1) / Number(15) * k_13 * k_41;
-        const Number k_45 = Number(11) / Number(4800) * k_14 * k_39 + Number(7) / Number(4800) * k_14 * k_41;
-        const Number k_46 = c.eps * k_21 * k_38 + k_5 * (k_42 + k_5 * (c.eps * k_44 + k_6 * c.c_2 * k_38 * k_45)) - k_29;
-        const Number k_47 = k_6 * k_40 * (Number(3) / Number(32) * k_39 + Number(3) / Number(160) * k_41);
-        const Number k_48 = -Number(1) / Number(4800) * k_14 * k_39 - Number(13) / Number(4800) * k_14 * k_41;
-        const Number k_49 = k_47 + k_5 * (c.eps * k_33 * k_38 * k_40 + k_6 * c.c_2 * k_40 * k_48);
-        const Number k_50 = c.eps * k_30 * k_40 + k_5 * k_49 - k_37;
-        c.c_15 = k_7 * k_9 + k_7 * k_11 + k_19 * k_19 + k_29 * k_29 + k_37 * k_37 - Number(4) * (k_46 * k_46 + k_50 * k_50);
+        const Number k_42 = c.c_5 + k_33 + k_38;
+        const Number k_43 = k_42 * k_42;
+        const Number k_44 = k_6 * k_40 * (-Number(1) / Number(32) * k_41 - Number(9) / Number(160) * k_43);
+        const Number k_45 = Number(1) / Number(100) * k_2 * k_13 * k_41 + Number(1) / Number(50) * k_2 * k_13 * k_43;
+        const Number k_46 = c.eps * k_45 - Number(1) / Number(30) * k_13 * k_41 - Number(1) / Number(15) * k_13 * k_43;
+        const Number k_47 = Number(11) / Number(4800) * k_14 * k_41 + Number(7) / Number(4800) * k_14 * k_43;
+        const Number k_48 = c.eps * k_23 * k_40 + k_5 * (k_44 + k_5 * (c.eps * k_46 + k_6 * c.c_2 * k_40 * k_47)) - k_31;
+        const Number k_49 = k_6 * k_42 * (Number(3) / Number(32) * k_41 + Number(3) / Number(160) * k_43);
+        const Number k_50 = -Number(1) / Number(4800) * k_14 * k_41 - Number(13) / Number(4800) * k_14 * k_43;
+        const Number k_51 = k_49 + k_5 * (c.eps * k_35 * k_40 * k_42 + k_6 * c.c_2 * k_42 * k_50);
+        const Number k_52 = c.eps * k_32 * k_42 + k_5 * k_51 - k_39;
+        c.c_15 = k_16 + k_17 + k_21 * k_21 + k_31 * k_31 + k_39 * k_39 - Number(4) * (k_48 * k_48 + k_52 * k_52);
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -349,7 +351,7 @@ private:
         const Real q_2 = c.c_5 * a.sin_theta;
         const Real re_x = q_1 - q_2;
         const Real im_x = c.c_4 * a.sin_theta + c.c_5 * a.cos_theta;
-        const Real x_2 = c.c_2 * (-c.c_7 * (re_x * re_x) - c.c_8 * (im_x * im_x)) - c.c_6 * re_x;
+        const Real x_2 = c.c_2 * (c.c_7 * (re_x * re_x) - c.c_7 * (im_x * im_x) - c.c_8) - c.c_6 * re_x;
         values.x = c.eps * (q_1 + c.eps * x_2 - q_2);
         return finite(values.x) ? Status::ok : Status::overflow;
     }

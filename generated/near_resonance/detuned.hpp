@@ -5,9 +5,9 @@
 //   system      near_resonance
 //   scene       detuned: Beside resonance: energies stay where they are, phases shift by 1/d
 //   order       2, normal form and map through weight 3
-//   operations  10 add, 20 multiply, 0 divide, 0 root, 2 sincos, 0 other, 0 tables
-//   written out 33 add, 96 multiply, 11 divide, 18 root, 32 sincos, 0 other, 0 tables
-//   many points from tables of 11 rows (237 operations, 195 from atoms, 510 one by one)
+//   operations  11 add, 20 multiply, 0 divide, 0 root, 2 sincos, 0 other, 0 tables
+//   written out 33 add, 100 multiply, 13 divide, 18 root, 34 sincos, 0 other, 0 tables
+//   many points from tables of 11 rows (237 operations, 198 from atoms, 511 one by one)
 //
 // z1 = a1*exp(I*theta1)
 // z2 = conj(z1)
@@ -231,32 +231,32 @@ private:
         c.c_7 = amplitude_y * k_13;
         c.c_8 = Number(20) * k_3 * k_7;
         c.c_9 = Number(400) / Number(41) * k_2 * k_3 * k_7;
-        c.c_10 = Number(210) / Number(41) * k_3 * k_7;
-        c.c_11 = Number(200) / Number(41) * k_3 * k_7;
-        const Number k_18 = Number(50) / Number(41) * amplitude_x * k_5 * amplitude_y * k_11 * k_2 * k_3;
-        const Number k_19 = Number(50) / Number(41) * amplitude_x * k_8 * amplitude_y * k_13 * k_2 * k_3;
-        c.c_12 = Number(2) * k_1 * (-k_18 - k_19);
-        const Number k_20 = Number(50) / Number(41) * amplitude_x * k_5 * amplitude_y * k_13 * k_2 * k_3;
-        const Number k_21 = Number(50) / Number(41) * amplitude_x * k_8 * amplitude_y * k_11 * k_2 * k_3;
-        c.c_13 = -Number(2) * k_1 * (k_20 - k_21);
+        c.c_10 = Number(5) * k_3 * k_7;
+        const Number k_18 = k_4 * k_6;
+        const Number k_19 = k_4 * k_9;
+        c.c_11 = Number(5) / Number(41) * (k_18 + k_19);
+        const Number k_20 = Number(50) / Number(41) * amplitude_x * k_5 * amplitude_y * k_11 * k_2 * k_3;
+        const Number k_21 = Number(50) / Number(41) * amplitude_x * k_8 * amplitude_y * k_13 * k_2 * k_3;
+        c.c_12 = Number(2) * k_1 * (-k_20 - k_21);
+        const Number k_22 = Number(50) / Number(41) * amplitude_x * k_5 * amplitude_y * k_13 * k_2 * k_3;
+        const Number k_23 = Number(50) / Number(41) * amplitude_x * k_8 * amplitude_y * k_11 * k_2 * k_3;
+        c.c_13 = -Number(2) * k_1 * (k_22 - k_23);
         c.c_14 = c.eps * amplitude_x * k_5;
         c.c_15 = -c.eps * amplitude_x * k_8;
-        const Number k_22 = Number(5) / Number(41) * amplitude_x * k_5 * amplitude_y * k_11 * k_2 * k_7;
-        const Number k_23 = Number(5) / Number(41) * amplitude_x * k_8 * amplitude_y * k_13 * k_2 * k_7;
-        c.c_16 = Number(2) * k_1 * (k_22 - k_23);
-        const Number k_24 = Number(5) / Number(41) * amplitude_x * k_5 * amplitude_y * k_13 * k_2 * k_7;
-        const Number k_25 = Number(5) / Number(41) * amplitude_x * k_8 * amplitude_y * k_11 * k_2 * k_7;
-        c.c_17 = -Number(2) * k_1 * (k_24 + k_25);
-        const Number k_26 = -Number(5) / Number(41) * k_4 * k_6 - Number(5) / Number(41) * k_4 * k_9;
-        c.c_18 = k_1 * k_26;
+        const Number k_24 = Number(5) / Number(41) * amplitude_x * k_5 * amplitude_y * k_11 * k_2 * k_7;
+        const Number k_25 = Number(5) / Number(41) * amplitude_x * k_8 * amplitude_y * k_13 * k_2 * k_7;
+        c.c_16 = Number(2) * k_1 * (k_24 - k_25);
+        const Number k_26 = Number(5) / Number(41) * amplitude_x * k_5 * amplitude_y * k_13 * k_2 * k_7;
+        const Number k_27 = Number(5) / Number(41) * amplitude_x * k_8 * amplitude_y * k_11 * k_2 * k_7;
+        c.c_17 = -Number(2) * k_1 * (k_26 + k_27);
+        const Number k_28 = -Number(5) / Number(41) * k_4 * k_6 - Number(5) / Number(41) * k_4 * k_9;
+        c.c_18 = k_1 * k_28;
         c.c_19 = c.eps * amplitude_y * k_11;
         c.c_20 = -c.eps * amplitude_y * k_13;
-        const Number k_27 = Number(5) / Number(2) * k_3 * k_4 * k_6 * k_7 - Number(5) / Number(2) * k_3 * k_4 * k_7 * k_9;
-        c.c_21 = Number(2) * k_1 * k_27;
+        const Number k_29 = Number(5) / Number(2) * k_3 * k_4 * k_6 * k_7 - Number(5) / Number(2) * k_3 * k_4 * k_7 * k_9;
+        c.c_21 = Number(2) * k_1 * k_29;
         c.c_22 = -Number(10) * k_5 * k_8 * k_3 * k_4 * k_7 * k_1;
         c.c_23 = Number(102) / Number(5) - Number(8) * k_2 - Number(1) / Number(100000000) * k_1;
-        const Number k_28 = k_4 * k_6;
-        const Number k_29 = k_4 * k_9;
         const Number k_30 = k_10 * k_12;
         const Number k_31 = k_10 * k_14;
         const Number k_32 = k_1 * c.eps;
@@ -307,7 +307,7 @@ private:
         const Number k_77 = Number(9200) / Number(1271) * k_2 * k_3 * k_34 * k_7 * k_35 * k_61 * k_67 * k_70;
         const Number k_78 = c.eps * (k_64 * k_76 + k_77) + Number(20) * k_3 * k_7 * k_64 * k_67 - Number(420) / Number(41) * k_2 * k_3 * k_7 * k_61 * k_70;
         const Number k_79 = c.eps * k_78 - k_63;
-        c.c_24 = k_28 + k_29 + k_30 + k_31 + k_33 + k_42 + k_49 + k_54 + k_59 - Number(4) * (k_75 * k_75 + k_79 * k_79);
+        c.c_24 = k_18 + k_19 + k_30 + k_31 + k_33 + k_42 + k_49 + k_54 + k_59 - Number(4) * (k_75 * k_75 + k_79 * k_79);
         const Number k_80 = Number(7700) / Number(1271) * k_3 * k_34 * k_7 * k_35 * k_61 * k_67;
         const Number k_81 = Number(6100) / Number(1271) * k_2 * k_3 * k_34 * k_7 * k_35 * k_64 * k_70;
         const Number k_82 = Number(4600) / Number(1271) * k_3 * k_34 * k_7 * k_35 * k_67 * k_65;
@@ -318,7 +318,7 @@ private:
         const Number k_87 = Number(1600) / Number(1271) * k_3 * k_34 * k_7 * k_35 * k_70 * k_65;
         const Number k_88 = c.eps * (k_61 * (k_85 + k_86) + k_87) + Number(200) / Number(41) * k_2 * k_3 * k_7 * k_61 * k_64;
         const Number k_89 = c.eps * k_88 - k_69;
-        c.c_25 = k_28 + k_29 + k_30 + k_31 + k_33 + k_42 + k_49 + k_54 + k_59 - Number(4) * (k_84 * k_84 + k_89 * k_89);
+        c.c_25 = k_18 + k_19 + k_30 + k_31 + k_33 + k_42 + k_49 + k_54 + k_59 - Number(4) * (k_84 * k_84 + k_89 * k_89);
     }
 
     template <class From, class Number> static void keep_1(const Constants<From>& from, Constants<Number>& c, resonform::Keeper& keep) {
@@ -456,7 +456,7 @@ private:
         const Real im_x = c.c_4 * a.sin_theta_1 + c.c_5 * a.cos_theta_1;
         const Real im_y = c.c_6 * a.sin_theta_2 + c.c_7 * a.cos_theta_2;
         const Real x_2 = -c.c_8 * re_x * re_y - c.c_9 * im_x * im_y;
-        const Real y_2 = c.c_10 * (re_x * re_x) - c.c_11 * (im_x * im_x);
+        const Real y_2 = c.c_10 * (re_x * re_x) - c.c_10 * (im_x * im_x) - c.c_11;
         values.x = c.eps * (q_1 + c.eps * x_2 - q_2);
         values.y = c.eps * (q_3 + c.eps * y_2 - q_4);
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;

@@ -5,9 +5,9 @@
 //   system      steered_knife_edge
 //   scene       second_order: The edge drifts to the side, valid up to t = 1/eps
 //   order       2, normal form and map through weight 3
-//   operations  11 add, 22 multiply, 0 divide, 0 root, 1 sincos, 0 other, 3 tables
-//   written out 24 add, 100 multiply, 22 divide, 20 root, 24 sincos, 0 other, 11 tables
-//   many points from tables of 9 rows (153 operations, 159 from atoms, 513 one by one)
+//   operations  12 add, 22 multiply, 0 divide, 0 root, 1 sincos, 0 other, 3 tables
+//   written out 26 add, 105 multiply, 24 divide, 20 root, 24 sincos, 0 other, 11 tables
+//   many points from tables of 9 rows (153 operations, 162 from atoms, 514 one by one)
 //
 // z1 = a1*exp(I*theta_new)
 // z2 = conj(z1)
@@ -182,13 +182,13 @@ private:
         Number c_1;
         Number c_2;
         Number theta_0;
-        Number c_3;
         Number theta_dot_0;
-        Number c_4;
+        Number c_3;
         Number u_x;
+        Number c_4;
         Number c_5;
-        Number c_6;
         Number v_x;
+        Number c_6;
         Number c_7;
         Number c_8;
         Number c_9;
@@ -216,44 +216,44 @@ private:
         c.theta_0 = Number(start.theta_0);
         const Number k_1 = c.theta_0 * c.theta_0;
         const Number k_2 = c.c_2 * k_1;
-        c.c_3 = Number(3) / Number(16);
         c.theta_dot_0 = Number(start.theta_dot_0);
         const Number k_3 = c.theta_dot_0 * c.theta_dot_0;
-        const Number k_4 = c.c_3 * k_3;
-        c.c_4 = Number(1) / Number(8);
+        const Number k_4 = Number(3) / Number(16) * k_3;
+        c.c_3 = Number(1) / Number(8);
         const Number x_dot_0 = Number(start.x_dot_0);
-        const Number k_5 = c.c_1 * (x_0 * (-k_2 - k_4) - c.c_4 * x_dot_0 * c.theta_0 * c.theta_dot_0);
+        const Number k_5 = c.c_1 * (x_0 * (-k_2 - k_4) - c.c_3 * x_dot_0 * c.theta_0 * c.theta_dot_0);
         c.u_x = x_0 + k_5;
-        c.c_5 = Number(1) / Number(4);
-        const Number k_6 = c.c_5 * k_1;
-        const Number k_7 = c.c_5 * k_3;
-        c.c_6 = c.eps * (k_6 + k_7);
+        c.c_4 = Number(1) / Number(4);
+        const Number k_6 = c.c_4 * k_1;
+        const Number k_7 = c.c_4 * k_3;
+        c.c_5 = c.eps * (k_6 + k_7);
         const Number k_8 = Number(5) / Number(16) * k_1;
         const Number k_9 = c.c_2 * k_3;
         const Number k_10 = -x_dot_0 * (k_8 - k_9) - Number(3) / Number(8) * x_0 * c.theta_0 * c.theta_dot_0;
         const Number k_11 = c.c_1 * k_10;
         c.v_x = k_11 - x_dot_0;
-        c.c_7 = c.eps * (-k_6 - k_7);
+        c.c_6 = c.eps * (-k_6 - k_7);
         const Number k_12 = c.c_1 * (k_2 + k_9) + Number(1) / Number(2);
-        c.c_8 = c.theta_dot_0 * k_12;
-        c.c_9 = c.theta_0 * (c.c_1 * (-k_2 - k_9) - Number(1) / Number(2));
-        c.c_10 = Number(0);
-        c.c_11 = Number(1) / c.eps;
+        c.c_7 = c.theta_dot_0 * k_12;
+        c.c_8 = c.theta_0 * (c.c_1 * (-k_2 - k_9) - Number(1) / Number(2));
+        c.c_9 = Number(0);
+        c.c_10 = Number(1) / c.eps;
+        c.c_11 = c.c_3 * (k_1 + k_3);
         const Number y_0 = Number(start.y_0);
         const Number k_13 = c.u_x * (Number(15) / Number(128) * k_3 - Number(7) / Number(384) * k_1);
         const Number k_14 = k_13 + Number(5) / Number(128) * c.theta_0 * c.theta_dot_0 * c.v_x;
         const Number k_15 = c.theta_0 * k_14 + Number(1) / Number(128) * c.v_x * (k_3 * c.theta_dot_0);
-        const Number k_16 = c.c_1 * k_15 + c.c_5 * c.theta_0 * c.u_x + c.c_5 * c.theta_dot_0 * c.v_x;
+        const Number k_16 = c.c_1 * k_15 + c.c_4 * c.theta_0 * c.u_x + c.c_4 * c.theta_dot_0 * c.v_x;
         c.c_12 = y_0 - c.eps * k_16;
         c.c_13 = Number(2) * k_12;
         c.c_14 = -Number(2) * k_12;
         c.c_15 = c.c_1 * (Number(1) / Number(32) * k_3 - Number(1) / Number(32) * k_1);
         c.c_16 = c.c_2 * c.theta_0 * c.theta_dot_0 * c.c_1;
-        c.c_17 = c.c_4 * c.eps * c.theta_0;
-        c.c_18 = c.c_4 * c.eps * c.theta_dot_0;
+        c.c_17 = c.c_3 * c.eps * c.theta_0;
+        c.c_18 = c.c_3 * c.eps * c.theta_dot_0;
         const Number k_17 = c.c_1 * c.eps;
         const Number k_18 = c.c_1 * c.c_1;
-        const Number k_19 = c.u_x * (k_2 + k_4) - c.c_4 * c.theta_0 * c.theta_dot_0 * c.v_x;
+        const Number k_19 = c.u_x * (k_2 + k_4) - c.c_3 * c.theta_0 * c.theta_dot_0 * c.v_x;
         const Number k_20 = c.v_x * (k_9 - k_8) + Number(3) / Number(8) * c.theta_0 * c.theta_dot_0 * c.u_x;
         const Number k_21 = k_5 + c.c_1 * k_19;
         const Number k_22 = k_11 + c.c_1 * k_20;
@@ -268,18 +268,18 @@ private:
         keep(from.c_1, c.c_1, "c_1 in x");
         keep(from.c_2, c.c_2, "c_2 in x_2");
         keep(from.theta_0, c.theta_0, "theta_0");
-        keep(from.c_3, c.c_3, "c_3 in x_2");
         keep(from.theta_dot_0, c.theta_dot_0, "theta_dot_0");
-        keep(from.c_4, c.c_4, "c_4 in x_2");
+        keep(from.c_3, c.c_3, "c_3 in x_2");
         keep(from.u_x, c.u_x, "u_x");
-        keep(from.c_5, c.c_5, "c_5 in y_1");
-        keep(from.c_6, c.c_6, "c_6 in u_x");
+        keep(from.c_4, c.c_4, "c_4 in y_1");
+        keep(from.c_5, c.c_5, "c_5 in u_x");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_7, c.c_7, "c_7 in v_x");
+        keep(from.c_6, c.c_6, "c_6 in v_x");
+        keep(from.c_7, c.c_7, "c_7 in Q_y");
         keep(from.c_8, c.c_8, "c_8 in Q_y");
-        keep(from.c_9, c.c_9, "c_9 in Q_y");
-        keep(from.c_10, c.c_10, "c_10");
-        keep(from.c_11, c.c_11, "c_11 in theta");
+        keep(from.c_9, c.c_9, "c_9");
+        keep(from.c_10, c.c_10, "c_10 in theta");
+        keep(from.c_11, c.c_11, "c_11 in x_2");
         keep(from.c_12, c.c_12, "c_12 in y");
         keep(from.c_13, c.c_13, "c_13 in x");
         keep(from.c_14, c.c_14, "c_14 in x");
@@ -319,15 +319,15 @@ private:
 
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
+        Number c_9;
         Number c_10;
-        Number c_11;
     };
 
     template <class Number> static void compute_phase_constants(
             const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c) {
         const Number eps = Number(given_eps);
-        c.c_10 = Number(0);
-        c.c_11 = Number(1) / eps;
+        c.c_9 = Number(0);
+        c.c_10 = Number(1) / eps;
     }
 
     // With all of them, if a step leaves the range of Number.
@@ -338,8 +338,8 @@ private:
         if constexpr (std::is_same_v<Real, typename resonform::OneOf<Real>::type>) {
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
+            c.c_9 = all.c_9;
             c.c_10 = all.c_10;
-            c.c_11 = all.c_11;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -351,7 +351,7 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& flow) {
         const Number v_x = flow[1];
         const Number u_x = flow[0];
-        return {Number(c.c_6 * v_x), Number(c.c_7 * u_x)};
+        return {Number(c.c_5 * v_x), Number(c.c_6 * u_x)};
     }
 
     // All > 0, or a divisor D that moves is too small, |D|^2 <= |dD/dt|, or the first corrections of the
@@ -369,13 +369,13 @@ private:
             const Constants<Number>& c, [[maybe_unused]] const Number& T, const std::array<Number, 2>& tables) {
         const Number v_x = tables[1];
         const Number u_x = tables[0];
-        return {Number(c.c_9 * v_x - c.c_8 * u_x)};
+        return {Number(c.c_8 * v_x - c.c_7 * u_x)};
     }
 
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_11;
+        return c.c_10;
     }
 
     // What differs from call to call.
@@ -393,11 +393,11 @@ private:
         const Real re_x = q_1 - q_2;
         const Real re_theta = c.theta_0 * a.cos_theta + c.theta_dot_0 * a.sin_theta;
         const Real im_theta = c.theta_0 * a.sin_theta - c.theta_dot_0 * a.cos_theta;
-        const Real q_3 = re_x * (c.c_2 * (re_theta * re_theta) + c.c_3 * (im_theta * im_theta));
+        const Real q_3 = c.c_2 * (im_theta * im_theta) + c.c_11 - c.c_2 * (re_theta * re_theta);
         const Real im_x = u_x * a.sin_theta + v_x * a.cos_theta;
-        const Real x_2 = q_3 + c.c_4 * im_x * re_theta * im_theta;
+        const Real x_2 = re_x * q_3 + c.c_3 * im_x * re_theta * im_theta;
         const Real Q_y = a.tables[2];
-        const Real y_1 = c.c_5 * re_x * re_theta - c.c_5 * im_x * im_theta;
+        const Real y_1 = c.c_4 * re_x * re_theta - c.c_4 * im_x * im_theta;
         values.x = q_1 + c.c_1 * x_2 - q_2;
         values.theta = re_theta;
         values.y = Q_y + c.eps * y_1 + c.c_12;
@@ -493,7 +493,7 @@ private:
 
             explicit Phases(const Evaluator& evaluator) : of(evaluator) {
                 keep_phase_constants(of.eps_, Parameters{}, of.start_, c);
-                start = {c.c_10};
+                start = {c.c_9};
             }
             std::array<Wide, 1> operator()(const Wide& T) const {
                 return {theta_rate(c, T)};
@@ -556,7 +556,7 @@ private:
                     lost = keep_phase_constants(course.eps, course.parameters, course.given, own);
                 }
                 const auto& known = constants(course);
-                start = {known.c_10};
+                start = {known.c_9};
             }
             const auto& constants([[maybe_unused]] const Course& course) const {
                 if constexpr (std::is_same_v<Number, Real>) {
@@ -616,7 +616,7 @@ private:
             return lost;
         const auto theta_rates = [&](const Wide& T) { return std::array<Wide, 1>{theta_rate(wide, T)}; };
         if (const Cause failed = interval_.shorten(
-                {theta_.build(theta_rates, wide.c_10, eps, reach), "theta"}, reach);
+                {theta_.build(theta_rates, wide.c_9, eps, reach), "theta"}, reach);
             failed.status != Status::ok)
             return failed;
         return {};

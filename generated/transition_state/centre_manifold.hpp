@@ -5,9 +5,9 @@
 //   system      transition_state
 //   scene       centre_manifold: On the centre manifold: neither the mode that grows nor the one that decays
 //   order       3, normal form and map through weight 4
-//   operations  10 add, 21 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
-//   written out 35 add, 98 multiply, 21 divide, 0 root, 22 sincos, 0 other, 0 tables
-//   many points from tables of 14 rows (198 operations, 135 from atoms, 271 one by one)
+//   operations  14 add, 21 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
+//   written out 41 add, 105 multiply, 25 divide, 0 root, 22 sincos, 0 other, 0 tables
+//   many points from tables of 14 rows (198 operations, 141 from atoms, 275 one by one)
 //
 // z1 = a1*exp(I*theta)
 // z2 = conj(z1)
@@ -165,11 +165,11 @@ private:
         Number c_1;
         Number eps;
         Number c_2;
+        Number u_x;
         Number c_3;
+        Number v_x;
         Number c_4;
         Number c_5;
-        Number u_x;
-        Number v_x;
         Number c_6;
         Number c_7;
         Number c_8;
@@ -196,6 +196,8 @@ private:
         Number c_29;
         Number c_30;
         Number c_31;
+        Number c_32;
+        Number c_33;
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -211,31 +213,30 @@ private:
         Number k_34;
         Number k_42;
         Number k_43;
+        Number k_65;
         Number k_66;
-        Number k_67;
         Number k_78;
         Number k_79;
         Number k_80;
         Number k_82;
         Number k_84;
         Number k_85;
-        Number k_86;
-        Number k_87;
         Number k_103;
         Number k_104;
         Number k_119;
         Number k_120;
-        Number k_161;
-        Number k_168;
-        Number k_179;
+        Number k_158;
+        Number k_165;
+        Number k_176;
+        Number k_177;
         Number k_180;
+        Number k_183;
         Number k_184;
-        Number k_187;
-        Number k_188;
-        Number k_190;
-        Number k_196;
-        Number k_203;
-        Number k_204;
+        Number k_186;
+        Number k_192;
+        Number k_199;
+        Number k_201;
+        Number k_202;
     };
 
     template <class Number> static void compute_constants_1(
@@ -283,15 +284,12 @@ private:
         w.k_34 = w.k_4 * w.k_4;
         const Number k_35 = Number(3) / Number(10) * w.k_10 * w.k_15 - w.x_dot_0 * w.k_1 * k_33 - Number(3) / Number(10) * w.k_10 * w.k_34;
         const Number k_36 = c.eps * (w.x_0 * w.k_1 * k_19 - k_27) + w.x_0 * w.k_1 * k_32 - w.x_dot_0 * w.k_1 * k_35;
-        c.c_3 = Number(1) / Number(6);
-        c.c_4 = Number(2) / Number(5);
-        const Number k_37 = c.c_4 * w.k_1 * w.k_4;
-        const Number k_38 = c.c_4 * w.k_1 * w.k_7;
-        c.c_5 = Number(1) / Number(3);
-        const Number k_39 = c.c_5 * w.x_dot_0 * w.k_1;
-        const Number k_40 = Number(4) / Number(5) * w.k_1 * w.k_4 - k_39 - Number(4) / Number(5) * w.k_1 * w.k_7;
-        const Number k_41 = c.eps * k_36 + w.x_0 * w.k_1 * (c.c_3 * w.x_0 * w.k_1 + k_37 + k_38) - w.x_dot_0 * w.k_1 * k_40;
-        w.k_42 = c.eps * k_41;
+        const Number k_37 = Number(2) / Number(5) * w.k_1 * w.k_4;
+        const Number k_38 = Number(2) / Number(5) * w.k_1 * w.k_7;
+        const Number k_39 = w.x_0 * w.k_1 * (Number(1) / Number(6) * w.x_0 * w.k_1 + k_37 + k_38);
+        const Number k_40 = Number(1) / Number(3) * w.x_dot_0 * w.k_1;
+        const Number k_41 = Number(4) / Number(5) * w.k_1 * w.k_4 - k_40 - Number(4) / Number(5) * w.k_1 * w.k_7;
+        w.k_42 = c.eps * (c.eps * k_36 + k_39 - w.x_dot_0 * w.k_1 * k_41);
         c.u_x = w.x_0 * w.k_1 + w.k_42;
         w.k_43 = c.u_x * c.u_x;
         const Number k_44 = Number(184927) / Number(612000) * w.x_0 * w.k_1;
@@ -304,52 +302,57 @@ private:
         const Number k_51 = -Number(18749) / Number(204000) * w.x_dot_0 * w.k_1 - Number(613) / Number(1950) * w.k_1 * w.k_7;
         const Number k_52 = Number(3) / Number(65) * w.k_10 * w.k_15 - w.x_dot_0 * w.k_1 * k_51;
         const Number k_53 = w.x_0 * w.k_1 * k_48 + w.k_1 * w.k_4 * k_50 + w.k_1 * w.k_7 * k_52;
-        const Number k_54 = c.c_4 * w.x_0 * w.k_1;
-        const Number k_55 = c.c_3 * w.x_dot_0 * w.k_1;
-        const Number k_56 = k_54 + k_55 + Number(66) / Number(25) * w.k_1 * w.k_7 - Number(1) / Number(10) * w.k_1 * w.k_4;
-        const Number k_57 = w.k_1 * w.k_7 * (k_54 - k_55 - Number(1) / Number(10) * w.k_1 * w.k_7);
-        const Number k_58 = c.eps * k_53 + w.k_1 * w.k_4 * k_56 + k_57 - Number(8161) / Number(14400) * w.k_10 * w.k_11 - Number(1741) / Number(14400) * w.k_10 * w.k_12;
-        const Number k_59 = Number(4) / Number(39) * w.k_1 * w.k_4 - Number(227) / Number(780) * w.x_0 * w.k_1 - Number(382) / Number(125) * w.k_1 * w.k_7;
-        const Number k_60 = w.k_1 * w.k_4 * k_59 + Number(223457) / Number(204000) * w.k_10 * w.k_11 + Number(382) / Number(125) * w.k_10 * w.k_15;
-        const Number k_61 = Number(227) / Number(780) * w.k_1 * w.k_7 - Number(223457) / Number(204000) * w.x_0 * w.k_1;
-        const Number k_62 = w.x_0 * w.k_1 * k_61 - Number(4) / Number(39) * w.k_10 * w.k_15;
-        const Number k_63 = c.eps * (w.k_1 * w.k_4 * k_60 + w.k_1 * w.k_7 * k_62) + w.x_0 * w.k_1 * (k_37 - k_38) + Number(1) / Number(10) * w.k_10 * w.k_34 - Number(1) / Number(10) * w.k_10 * w.k_15;
-        const Number k_64 = k_39 + Number(6) / Number(5) * w.k_1 * w.k_7 - Number(6) / Number(5) * w.k_1 * w.k_4;
-        const Number k_65 = c.eps * (w.x_0 * w.k_1 * k_63 - w.x_dot_0 * w.k_1 * k_58) + w.x_0 * w.k_1 * k_64 - w.x_dot_0 * w.k_1 * (-k_38 - k_37);
-        w.k_66 = c.eps * k_65;
-        c.v_x = w.k_66 - w.x_dot_0 * w.k_1;
-        w.k_67 = c.v_x * c.v_x;
-        const Number k_68 = Number(107) / Number(240) * w.k_43 + Number(107) / Number(240) * w.k_67;
-        const Number theta_dot = Number(1) + c.c_2 * k_68;
-        c.c_6 = w.k_1 * theta_dot;
-        c.c_7 = Number(197) / Number(960);
-        c.c_8 = Number(53) / Number(192);
-        c.c_9 = Number(3) / Number(5);
-        c.c_10 = Number(1) / Number(5);
-        c.c_11 = Number(7) / Number(30);
-        c.c_12 = c.c_2 * (-Number(1) / Number(4) * w.k_43 - Number(1) / Number(4) * w.k_67);
-        const Number k_69 = -Number(107) / Number(960) * w.k_43 - Number(107) / Number(960) * w.k_67;
+        const Number k_54 = Number(2) / Number(5) * w.x_0 * w.k_1;
+        const Number k_55 = Number(1) / Number(6) * w.x_dot_0 * w.k_1;
+        c.c_3 = Number(1) / Number(10);
+        const Number k_56 = k_54 + k_55 + Number(66) / Number(25) * w.k_1 * w.k_7 - c.c_3 * w.k_1 * w.k_4;
+        const Number k_57 = c.eps * k_53 + w.k_1 * w.k_4 * k_56 + w.k_1 * w.k_7 * (k_54 - k_55 - c.c_3 * w.k_1 * w.k_7) - Number(8161) / Number(14400) * w.k_10 * w.k_11 - Number(1741) / Number(14400) * w.k_10 * w.k_12;
+        const Number k_58 = Number(4) / Number(39) * w.k_1 * w.k_4 - Number(227) / Number(780) * w.x_0 * w.k_1 - Number(382) / Number(125) * w.k_1 * w.k_7;
+        const Number k_59 = w.k_1 * w.k_4 * k_58 + Number(223457) / Number(204000) * w.k_10 * w.k_11 + Number(382) / Number(125) * w.k_10 * w.k_15;
+        const Number k_60 = Number(227) / Number(780) * w.k_1 * w.k_7 - Number(223457) / Number(204000) * w.x_0 * w.k_1;
+        const Number k_61 = w.x_0 * w.k_1 * k_60 - Number(4) / Number(39) * w.k_10 * w.k_15;
+        const Number k_62 = c.eps * (w.k_1 * w.k_4 * k_59 + w.k_1 * w.k_7 * k_61) + w.x_0 * w.k_1 * (k_37 - k_38) + c.c_3 * w.k_10 * w.k_34 - c.c_3 * w.k_10 * w.k_15;
+        const Number k_63 = k_40 + Number(6) / Number(5) * w.k_1 * w.k_7 - Number(6) / Number(5) * w.k_1 * w.k_4;
+        const Number k_64 = c.eps * (w.x_0 * w.k_1 * k_62 - w.x_dot_0 * w.k_1 * k_57) + w.x_0 * w.k_1 * k_63 - w.x_dot_0 * w.k_1 * (-k_38 - k_37);
+        w.k_65 = c.eps * k_64;
+        c.v_x = w.k_65 - w.x_dot_0 * w.k_1;
+        w.k_66 = c.v_x * c.v_x;
+        const Number k_67 = Number(107) / Number(240) * w.k_43 + Number(107) / Number(240) * w.k_66;
+        const Number theta_dot = Number(1) + c.c_2 * k_67;
+        c.c_4 = w.k_1 * theta_dot;
+        c.c_5 = Number(1) / Number(12);
+        const Number k_68 = w.k_43 + w.k_66;
+        c.c_6 = Number(1) / Number(4) * k_68;
+        c.c_7 = Number(17) / Number(960);
+        c.c_8 = Number(17) / Number(320);
+        c.c_9 = Number(107) / Number(480) * k_68;
+        c.c_10 = Number(1) / Number(2) * k_68;
+        c.c_11 = Number(1) / Number(120);
+        c.c_12 = Number(1) / Number(40);
+        c.c_13 = Number(5) / Number(24) * k_68;
+        c.c_14 = c.c_2 * (-Number(1) / Number(4) * w.k_43 - Number(1) / Number(4) * w.k_66);
+        const Number k_69 = -Number(107) / Number(960) * w.k_43 - Number(107) / Number(960) * w.k_66;
         const Number k_70 = Number(1) / Number(2) + c.c_2 * k_69;
-        c.c_13 = Number(2) * c.eps * c.u_x * k_70;
-        c.c_14 = -Number(2) * c.eps * c.v_x * k_70;
-        const Number k_71 = Number(1) / Number(24) * w.k_43 - Number(1) / Number(24) * w.k_67;
-        c.c_15 = Number(2) * c.c_2 * k_71;
-        c.c_16 = -Number(1) / Number(6) * c.u_x * c.v_x * c.c_2;
-        const Number k_72 = Number(17) / Number(1920) * w.k_43 - Number(17) / Number(640) * w.k_67;
-        c.c_17 = Number(2) * c.u_x * k_25 * k_72;
-        const Number k_73 = Number(17) / Number(640) * w.k_43 - Number(17) / Number(1920) * w.k_67;
-        c.c_18 = -Number(2) * c.v_x * k_25 * k_73;
-        c.c_19 = c.c_2 * (Number(1) / Number(2) * w.k_43 + Number(1) / Number(2) * w.k_67);
-        const Number k_74 = -Number(5) / Number(48) * w.k_43 - Number(5) / Number(48) * w.k_67;
-        c.c_20 = Number(2) * c.u_x * k_25 * k_74;
-        c.c_21 = -Number(2) * c.v_x * k_25 * k_74;
-        const Number k_75 = Number(1) / Number(20) * w.k_43 - Number(1) / Number(20) * w.k_67;
-        c.c_22 = Number(2) * c.c_2 * k_75;
-        c.c_23 = -Number(1) / Number(5) * c.u_x * c.v_x * c.c_2;
-        const Number k_76 = Number(1) / Number(240) * w.k_43 - Number(1) / Number(80) * w.k_67;
-        c.c_24 = Number(2) * c.u_x * k_25 * k_76;
-        const Number k_77 = Number(1) / Number(80) * w.k_43 - Number(1) / Number(240) * w.k_67;
-        c.c_25 = -Number(2) * c.v_x * k_25 * k_77;
+        c.c_15 = Number(2) * c.eps * c.u_x * k_70;
+        c.c_16 = -Number(2) * c.eps * c.v_x * k_70;
+        const Number k_71 = Number(1) / Number(24) * w.k_43 - Number(1) / Number(24) * w.k_66;
+        c.c_17 = Number(2) * c.c_2 * k_71;
+        c.c_18 = -Number(1) / Number(6) * c.u_x * c.v_x * c.c_2;
+        const Number k_72 = Number(17) / Number(1920) * w.k_43 - Number(17) / Number(640) * w.k_66;
+        c.c_19 = Number(2) * c.u_x * k_25 * k_72;
+        const Number k_73 = Number(17) / Number(640) * w.k_43 - Number(17) / Number(1920) * w.k_66;
+        c.c_20 = -Number(2) * c.v_x * k_25 * k_73;
+        c.c_21 = c.c_2 * (Number(1) / Number(2) * w.k_43 + Number(1) / Number(2) * w.k_66);
+        const Number k_74 = -Number(5) / Number(48) * w.k_43 - Number(5) / Number(48) * w.k_66;
+        c.c_22 = Number(2) * c.u_x * k_25 * k_74;
+        c.c_23 = -Number(2) * c.v_x * k_25 * k_74;
+        const Number k_75 = Number(1) / Number(20) * w.k_43 - Number(1) / Number(20) * w.k_66;
+        c.c_24 = Number(2) * c.c_2 * k_75;
+        c.c_25 = -Number(1) / Number(5) * c.u_x * c.v_x * c.c_2;
+        const Number k_76 = Number(1) / Number(240) * w.k_43 - Number(1) / Number(80) * w.k_66;
+        c.c_26 = Number(2) * c.u_x * k_25 * k_76;
+        const Number k_77 = Number(1) / Number(80) * w.k_43 - Number(1) / Number(240) * w.k_66;
+        c.c_27 = -Number(2) * c.v_x * k_25 * k_77;
         w.k_78 = hypot(c.u_x, c.v_x);
         w.k_79 = Number(1571) / Number(17000) * w.x_0 * w.k_1;
         w.k_80 = Number(351) / Number(4250) * w.x_dot_0 * w.k_1;
@@ -358,17 +361,17 @@ private:
         const Number k_83 = Number(11) / Number(30) * w.k_1 * w.k_4 + Number(197) / Number(1300) * w.k_1 * w.k_7 - w.k_82;
         w.k_84 = Number(56) / Number(125) * w.k_1 * w.k_7;
         w.k_85 = w.x_0 * w.k_1 * k_81 + w.k_1 * w.k_4 * (k_37 - w.k_84) - w.x_dot_0 * w.k_1 * k_83 - Number(8) / Number(65) * w.k_10 * w.k_15;
-        w.k_86 = Number(56) / Number(325) * w.x_dot_0 * w.k_1;
-        w.k_87 = w.k_86 + Number(89) / Number(125) * w.k_1 * w.k_4 + Number(3) / Number(13) * w.k_1 * w.k_7;
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
+        const Number k_86 = Number(56) / Number(325) * w.x_dot_0 * w.k_1;
+        const Number k_87 = k_86 + Number(89) / Number(125) * w.k_1 * w.k_4 + Number(3) / Number(13) * w.k_1 * w.k_7;
         const Number k_88 = Number(88) / Number(2125) * w.k_10 * w.k_12;
-        const Number k_89 = w.k_1 * w.k_7 * w.k_87 + Number(4) / Number(25) * w.k_10 * w.k_34 - k_88;
-        const Number k_90 = Number(1) / Number(10) * w.x_0 * w.k_1;
+        const Number k_89 = w.k_1 * w.k_7 * k_87 + Number(4) / Number(25) * w.k_10 * w.k_34 - k_88;
+        const Number k_90 = c.c_3 * w.x_0 * w.k_1;
         const Number k_91 = Number(1) / Number(20) * w.x_dot_0 * w.k_1;
-        const Number k_92 = -k_90 - k_91 - c.c_10 * w.k_1 * w.k_4 - Number(3) / Number(10) * w.k_1 * w.k_7;
+        const Number k_92 = -k_90 - k_91 - Number(1) / Number(5) * w.k_1 * w.k_4 - Number(3) / Number(10) * w.k_1 * w.k_7;
         const Number k_93 = Number(1) / Number(20) * w.k_1 * w.k_7 - Number(7) / Number(25) * w.k_1 * w.k_4;
         const Number k_94 = c.eps * (w.x_0 * w.k_1 * w.k_85 - w.x_dot_0 * w.k_1 * k_89) + w.x_0 * w.k_1 * k_93 - w.x_dot_0 * w.k_1 * k_92;
         const Number k_95 = Number(173) / Number(2125) * w.x_dot_0 * w.k_1;
@@ -376,8 +379,8 @@ private:
         const Number k_97 = -Number(69) / Number(125) * w.k_1 * w.k_4 - Number(1) / Number(13) * w.k_1 * w.k_7;
         const Number k_98 = c.eps * (w.k_1 * w.k_7 * k_97 - w.x_dot_0 * w.k_1 * k_96) + k_91 + Number(3) / Number(25) * w.k_1 * w.k_4 + Number(3) / Number(20) * w.k_1 * w.k_7;
         const Number k_99 = Number(3) / Number(10) * w.x_0 * w.k_1;
-        const Number k_100 = c.c_10 * w.x_dot_0 * w.k_1;
-        const Number k_101 = c.c_10 * w.k_10 * w.k_12;
+        const Number k_100 = Number(1) / Number(5) * w.x_dot_0 * w.k_1;
+        const Number k_101 = Number(1) / Number(5) * w.k_10 * w.k_12;
         const Number k_102 = c.eps * (w.x_0 * w.k_1 * k_94 + w.k_10 * w.k_12 * k_98) + w.x_0 * w.k_1 * (-k_99 - k_100) - k_101;
         w.k_103 = c.eps * k_102;
         w.k_104 = w.k_1 * w.k_4 + w.k_103;
@@ -385,10 +388,10 @@ private:
         const Number k_106 = w.k_79 + Number(8) / Number(75) * w.k_1 * w.k_7 - w.k_80 - Number(129) / Number(1300) * w.k_1 * w.k_4;
         const Number k_107 = -w.k_82 - Number(197) / Number(1300) * w.k_1 * w.k_4 - Number(11) / Number(30) * w.k_1 * w.k_7;
         const Number k_108 = w.k_1 * w.k_4 * (-w.k_84 - Number(8) / Number(65) * w.k_1 * w.k_4);
-        const Number k_109 = w.x_0 * w.k_1 * k_106 + k_108 + c.c_4 * w.k_10 * w.k_15 - w.x_dot_0 * w.k_1 * k_107;
-        const Number k_110 = w.k_86 - Number(3) / Number(13) * w.k_1 * w.k_4 - Number(89) / Number(125) * w.k_1 * w.k_7;
+        const Number k_109 = w.x_0 * w.k_1 * k_106 + k_108 + Number(2) / Number(5) * w.k_10 * w.k_15 - w.x_dot_0 * w.k_1 * k_107;
+        const Number k_110 = k_86 - Number(3) / Number(13) * w.k_1 * w.k_4 - Number(89) / Number(125) * w.k_1 * w.k_7;
         const Number k_111 = w.k_1 * w.k_4 * k_110 + k_88 - Number(4) / Number(25) * w.k_10 * w.k_15;
-        const Number k_112 = k_90 + Number(3) / Number(10) * w.k_1 * w.k_4 + c.c_10 * w.k_1 * w.k_7 - k_91;
+        const Number k_112 = k_90 + Number(3) / Number(10) * w.k_1 * w.k_4 + Number(1) / Number(5) * w.k_1 * w.k_7 - k_91;
         const Number k_113 = Number(1) / Number(20) * w.k_1 * w.k_4 - Number(7) / Number(25) * w.k_1 * w.k_7;
         const Number k_114 = c.eps * (w.x_0 * w.k_1 * k_109 - w.x_dot_0 * w.k_1 * k_111) + w.x_0 * w.k_1 * k_113 - w.x_dot_0 * w.k_1 * k_112;
         const Number k_115 = -k_95 - Number(28) / Number(325) * w.k_1 * w.k_4 - Number(31) / Number(90) * w.k_1 * w.k_7;
@@ -400,143 +403,139 @@ private:
         const Number k_121 = magnitude(w.k_120);
         const Number k_122 = hypot(hypot(w.k_78, k_105), k_121);
         const Number k_123 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
-        const Number k_124 = hypot(Number(-Number(2) / Number(5)), c.c_10);
+        const Number k_124 = hypot(Number(-Number(2) / Number(5)), Number(Number(1) / Number(5)));
         const Number k_125 = k_121 * k_121;
         const Number k_126 = hypot(Number(-Number(13) / Number(120)), Number(-Number(11) / Number(120)));
         const Number k_127 = w.k_78 * w.k_78;
         const Number k_128 = hypot(Number(Number(3) / Number(10)), Number(-Number(1) / Number(10)));
         const Number k_129 = hypot(Number(Number(7) / Number(20)), Number(Number(7) / Number(20)));
-        const Number k_130 = hypot(Number(Number(1) / Number(40)), Number(-Number(7) / Number(120)));
+        const Number k_130 = k_121 * hypot(c.c_12, Number(-Number(7) / Number(120))) * k_127;
         const Number k_131 = hypot(Number(-Number(13) / Number(120)), Number(Number(11) / Number(120)));
         const Number k_132 = hypot(Number(Number(7) / Number(20)), Number(-Number(7) / Number(20)));
-        const Number k_133 = hypot(Number(Number(1) / Number(40)), Number(Number(7) / Number(120)));
+        const Number k_133 = k_105 * hypot(c.c_12, Number(Number(7) / Number(120))) * k_127;
         const Number k_134 = k_105 * k_105;
-        const Number k_135 = hypot(Number(Number(3) / Number(10)), Number(Number(1) / Number(10)));
-        const Number k_136 = k_127 * w.k_78;
-        const Number k_137 = w.k_78 * k_124 * k_125 + k_121 * k_126 * k_127 + w.k_78 * k_128 * k_125 + k_121 * k_129 * k_127 + k_121 * k_130 * k_127 + k_105 * k_131 * k_127 + c.c_4 * w.k_78 * k_105 * k_121 + k_105 * k_132 * k_127 + k_105 * k_133 * k_127 + w.k_78 * k_123 * k_134 + w.k_78 * k_135 * k_134 + c.c_8 * k_136;
-        const Number k_138 = w.k_78 * k_121 + w.k_78 * k_121 * k_123 + w.k_78 * k_105 + w.k_78 * k_105 * k_124 + c.eps * k_137 + Number(5) / Number(12) * k_127;
-        c.c_26 = k_122 + resonform::math::number<Number>({7.888609052210118e-31}) - Number(2) * c.eps * k_138;
-        const Number k_139 = Number(1) / Number(4) * k_127;
-        const Number k_140 = hypot(Number(Number(1) / Number(40)), Number(Number(1) / Number(20)));
-        const Number k_141 = k_127 * k_140;
-        const Number k_142 = hypot(Number(Number(1) / Number(40)), Number(-Number(1) / Number(20)));
-        const Number k_143 = k_127 * k_142;
-        const Number k_144 = hypot(Number(Number(1) / Number(40)), Number(-Number(3) / Number(40)));
-        const Number k_145 = hypot(Number(Number(1) / Number(480)), Number(Number(1) / Number(160)));
-        const Number k_146 = k_136 * k_145;
-        const Number k_147 = hypot(Number(-Number(5) / Number(96)), Number(-Number(5) / Number(96)));
-        const Number k_148 = k_136 * k_147;
-        const Number k_149 = hypot(Number(Number(1) / Number(40)), Number(Number(3) / Number(40)));
-        const Number k_150 = hypot(Number(-Number(5) / Number(96)), Number(Number(5) / Number(96)));
-        const Number k_151 = k_136 * k_150;
-        const Number k_152 = hypot(Number(Number(1) / Number(480)), Number(-Number(1) / Number(160)));
-        const Number k_153 = k_136 * k_152;
-        const Number k_154 = hypot(Number(-Number(1) / Number(10)), Number(-Number(1) / Number(20)));
-        const Number k_155 = hypot(Number(-Number(1) / Number(10)), Number(Number(1) / Number(20)));
-        const Number k_156 = k_121 * k_127 * k_144 + k_146 + Number(1) / Number(10) * k_121 * k_127 + k_148 + k_121 * k_127 * k_149 + k_151 + k_153 + k_105 * k_127 * k_154 + k_105 * k_127 * k_155;
-        const Number k_157 = Number(2) * c.eps * (k_139 + k_141 + k_143 + c.eps * k_156);
-        c.c_27 = k_122 + resonform::math::number<Number>({7.888609052210118e-31}) - k_157;
-        const Number k_158 = k_146 + k_148 + k_151 + k_153 + k_121 * k_127 * k_155 + k_121 * k_127 * k_154 + k_105 * k_127 * k_149 + Number(1) / Number(10) * k_105 * k_127 + k_105 * k_127 * k_144;
-        const Number k_159 = Number(2) * c.eps * (k_139 + k_141 + k_143 + c.eps * k_158);
-        c.c_28 = k_122 + resonform::math::number<Number>({7.888609052210118e-31}) - k_159;
-        const Number k_160 = c.c_2 * c.c_2;
-        w.k_161 = k_160 * k_160;
-        const Number k_162 = Number(91513) / Number(204000) * c.u_x;
-        const Number k_163 = Number(4091) / Number(6800) * c.v_x;
-        const Number k_164 = k_162 + k_163 - Number(263) / Number(1950) * w.k_104 - Number(82) / Number(75) * w.k_120;
-        const Number k_165 = w.k_120 * (k_162 - k_163 - Number(263) / Number(1950) * w.k_120);
-        const Number k_166 = w.k_104 * k_164 + k_165 + Number(4817) / Number(14400) * w.k_43 + Number(5021) / Number(4800) * w.k_67;
-        const Number k_167 = Number(49) / Number(650) * c.v_x + Number(3) / Number(65) * w.k_104 - Number(97) / Number(125) * w.k_120;
-        w.k_168 = w.k_120 * w.k_120;
-        const Number k_169 = w.k_104 * k_167 + Number(116189) / Number(204000) * w.k_67 - Number(97) / Number(125) * w.k_168;
-        const Number k_170 = Number(116189) / Number(204000) * c.v_x - Number(49) / Number(650) * w.k_120;
-        const Number k_171 = c.u_x * k_166 + w.k_104 * k_169 + w.k_120 * (c.v_x * k_170 + Number(3) / Number(65) * w.k_168);
-        const Number k_172 = Number(15683) / Number(21600) * c.v_x + Number(20427) / Number(34000) * w.k_104 - Number(20427) / Number(34000) * w.k_120;
-        const Number k_173 = -Number(8) / Number(39) * w.k_104 - Number(122) / Number(75) * w.k_120;
-        const Number k_174 = c.v_x * k_172 + w.k_104 * k_173 - Number(8) / Number(39) * w.k_168;
-        const Number k_175 = -Number(7) / Number(195) * w.k_104 - Number(29) / Number(125) * w.k_120;
-        const Number k_176 = w.k_104 * (w.k_104 * k_175 + Number(29) / Number(125) * w.k_168);
-        const Number k_177 = c.v_x * k_174 + k_176 + Number(7) / Number(195) * (w.k_168 * w.k_120);
-        const Number k_178 = Number(4) / Number(15) * c.u_x;
-        w.k_179 = Number(1) / Number(15) * c.v_x;
-        w.k_180 = c.c_4 * w.k_120;
-        const Number k_181 = w.k_104 * (k_178 + w.k_180 - w.k_179 - Number(1) / Number(10) * w.k_104);
-        const Number k_182 = k_181 + w.k_120 * (k_178 + w.k_179 - Number(1) / Number(10) * w.k_120) - c.c_7 * w.k_43 - c.c_8 * w.k_67;
-        const Number k_183 = Number(13) / Number(30) * w.k_104 + Number(13) / Number(30) * w.k_120;
-        w.k_184 = w.k_104 * w.k_104;
-        const Number k_185 = c.v_x * k_183 + Number(3) / Number(10) * w.k_184 - Number(3) / Number(10) * w.k_168;
-        const Number k_186 = c.eps * (c.u_x * k_171 + c.v_x * k_177) + c.u_x * k_182 + c.v_x * k_185;
-        w.k_187 = c.c_4 * w.k_104;
-        w.k_188 = c.c_5 * c.v_x;
-        const Number k_189 = Number(4) / Number(5) * w.k_120;
-        w.k_190 = c.eps * k_186 + c.u_x * (-c.c_3 * c.u_x - w.k_187 - w.k_180) + c.v_x * (k_189 - w.k_188 - Number(4) / Number(5) * w.k_104);
-        const Number k_191 = Number(28103) / Number(68000) * c.u_x;
-        const Number k_192 = Number(29867) / Number(40800) * c.v_x;
-        const Number k_193 = w.k_104 * (k_189 - k_191 - k_192 - Number(2) / Number(195) * w.k_104);
-        const Number k_194 = w.k_120 * (k_192 - k_191 - Number(2) / Number(195) * w.k_120);
-        const Number k_195 = k_193 + k_194 - Number(1453) / Number(2400) * w.k_43 - Number(14333) / Number(21600) * w.k_67;
-        w.k_196 = Number(28) / Number(125) * w.k_120;
-        const Number k_197 = Number(947) / Number(1950) * c.v_x + Number(2) / Number(13) * w.k_104 - w.k_196;
-        const Number k_198 = w.k_104 * k_197 - Number(3371) / Number(68000) * w.k_67 - Number(28) / Number(125) * w.k_168;
-        const Number k_199 = -Number(3371) / Number(68000) * c.v_x - Number(947) / Number(1950) * w.k_120;
-        const Number k_200 = c.u_x * k_195 + w.k_104 * k_198 + w.k_120 * (c.v_x * k_199 + Number(2) / Number(13) * w.k_168);
-        const Number k_201 = Number(1) / Number(2) * c.v_x;
-        const Number k_202 = w.k_104 * (-w.k_180 - k_178 - k_201 - Number(7) / Number(10) * w.k_104);
-        w.k_203 = c.eps * k_200 + k_202 + w.k_120 * (k_201 - k_178 - Number(7) / Number(10) * w.k_120) + Number(367) / Number(960) * w.k_43 + Number(163) / Number(960) * w.k_67;
-        w.k_204 = Number(379) / Number(1950) * c.u_x + Number(46) / Number(125) * w.k_120 - Number(4) / Number(39) * w.k_104;
+        const Number k_135 = k_127 * w.k_78;
+        const Number k_136 = w.k_78 * k_124 * k_125 + k_121 * k_126 * k_127 + w.k_78 * k_128 * k_125 + k_121 * k_129 * k_127 + k_130 + k_105 * k_131 * k_127 + Number(2) / Number(5) * w.k_78 * k_105 * k_121 + k_105 * k_132 * k_127 + k_133 + w.k_78 * k_123 * k_134 + w.k_78 * hypot(Number(Number(3) / Number(10)), c.c_3) * k_134 + Number(53) / Number(192) * k_135;
+        const Number k_137 = w.k_78 * k_121 + w.k_78 * k_121 * k_123 + w.k_78 * k_105 + w.k_78 * k_105 * k_124 + c.eps * k_136 + Number(5) / Number(12) * k_127;
+        c.c_28 = k_122 + resonform::math::number<Number>({7.888609052210118e-31}) - Number(2) * c.eps * k_137;
+        const Number k_138 = Number(1) / Number(4) * k_127;
+        const Number k_139 = k_127 * hypot(c.c_12, Number(Number(1) / Number(20)));
+        const Number k_140 = k_127 * hypot(c.c_12, Number(-Number(1) / Number(20)));
+        const Number k_141 = hypot(c.c_12, Number(-Number(3) / Number(40)));
+        const Number k_142 = hypot(Number(Number(1) / Number(480)), Number(Number(1) / Number(160)));
+        const Number k_143 = k_135 * k_142;
+        const Number k_144 = hypot(Number(-Number(5) / Number(96)), Number(-Number(5) / Number(96)));
+        const Number k_145 = k_135 * k_144;
+        const Number k_146 = hypot(c.c_12, Number(Number(3) / Number(40)));
+        const Number k_147 = hypot(Number(-Number(5) / Number(96)), Number(Number(5) / Number(96)));
+        const Number k_148 = k_135 * k_147;
+        const Number k_149 = hypot(Number(Number(1) / Number(480)), Number(-Number(1) / Number(160)));
+        const Number k_150 = k_135 * k_149;
+        const Number k_151 = hypot(Number(-Number(1) / Number(10)), Number(-Number(1) / Number(20)));
+        const Number k_152 = hypot(Number(-Number(1) / Number(10)), Number(Number(1) / Number(20)));
+        const Number k_153 = k_121 * k_127 * k_141 + k_143 + c.c_3 * k_121 * k_127 + k_145 + k_121 * k_127 * k_146 + k_148 + k_150 + k_105 * k_127 * k_151 + k_105 * k_127 * k_152;
+        const Number k_154 = Number(2) * c.eps * (k_138 + k_139 + k_140 + c.eps * k_153);
+        c.c_29 = k_122 + resonform::math::number<Number>({7.888609052210118e-31}) - k_154;
+        const Number k_155 = k_143 + k_145 + k_148 + k_150 + k_121 * k_127 * k_152 + k_121 * k_127 * k_151 + k_105 * k_127 * k_146 + c.c_3 * k_105 * k_127 + k_105 * k_127 * k_141;
+        const Number k_156 = Number(2) * c.eps * (k_138 + k_139 + k_140 + c.eps * k_155);
+        c.c_30 = k_122 + resonform::math::number<Number>({7.888609052210118e-31}) - k_156;
+        const Number k_157 = c.c_2 * c.c_2;
+        w.k_158 = k_157 * k_157;
+        const Number k_159 = Number(91513) / Number(204000) * c.u_x;
+        const Number k_160 = Number(4091) / Number(6800) * c.v_x;
+        const Number k_161 = k_159 + k_160 - Number(263) / Number(1950) * w.k_104 - Number(82) / Number(75) * w.k_120;
+        const Number k_162 = w.k_120 * (k_159 - k_160 - Number(263) / Number(1950) * w.k_120);
+        const Number k_163 = w.k_104 * k_161 + k_162 + Number(4817) / Number(14400) * w.k_43 + Number(5021) / Number(4800) * w.k_66;
+        const Number k_164 = Number(49) / Number(650) * c.v_x + Number(3) / Number(65) * w.k_104 - Number(97) / Number(125) * w.k_120;
+        w.k_165 = w.k_120 * w.k_120;
+        const Number k_166 = w.k_104 * k_164 + Number(116189) / Number(204000) * w.k_66 - Number(97) / Number(125) * w.k_165;
+        const Number k_167 = Number(116189) / Number(204000) * c.v_x - Number(49) / Number(650) * w.k_120;
+        const Number k_168 = c.u_x * k_163 + w.k_104 * k_166 + w.k_120 * (c.v_x * k_167 + Number(3) / Number(65) * w.k_165);
+        const Number k_169 = Number(15683) / Number(21600) * c.v_x + Number(20427) / Number(34000) * w.k_104 - Number(20427) / Number(34000) * w.k_120;
+        const Number k_170 = -Number(8) / Number(39) * w.k_104 - Number(122) / Number(75) * w.k_120;
+        const Number k_171 = c.v_x * k_169 + w.k_104 * k_170 - Number(8) / Number(39) * w.k_165;
+        const Number k_172 = -Number(7) / Number(195) * w.k_104 - Number(29) / Number(125) * w.k_120;
+        const Number k_173 = w.k_104 * (w.k_104 * k_172 + Number(29) / Number(125) * w.k_165);
+        const Number k_174 = c.v_x * k_171 + k_173 + Number(7) / Number(195) * (w.k_165 * w.k_120);
+        const Number k_175 = Number(4) / Number(15) * c.u_x;
+        w.k_176 = Number(1) / Number(15) * c.v_x;
+        w.k_177 = Number(2) / Number(5) * w.k_120;
+        const Number k_178 = w.k_104 * (k_175 + w.k_177 - w.k_176 - c.c_3 * w.k_104) + w.k_120 * (k_175 + w.k_176 - c.c_3 * w.k_120) - Number(197) / Number(960) * w.k_43 - Number(53) / Number(192) * w.k_66;
+        const Number k_179 = Number(13) / Number(30) * w.k_104 + Number(13) / Number(30) * w.k_120;
+        w.k_180 = w.k_104 * w.k_104;
+        const Number k_181 = c.v_x * k_179 + Number(3) / Number(10) * w.k_180 - Number(3) / Number(10) * w.k_165;
+        const Number k_182 = c.eps * (c.u_x * k_168 + c.v_x * k_174) + c.u_x * k_178 + c.v_x * k_181;
+        w.k_183 = Number(2) / Number(5) * w.k_104;
+        w.k_184 = Number(1) / Number(3) * c.v_x;
+        const Number k_185 = Number(4) / Number(5) * w.k_120;
+        w.k_186 = c.eps * k_182 + c.u_x * (-Number(1) / Number(6) * c.u_x - w.k_183 - w.k_177) + c.v_x * (k_185 - w.k_184 - Number(4) / Number(5) * w.k_104);
+        const Number k_187 = Number(28103) / Number(68000) * c.u_x;
+        const Number k_188 = Number(29867) / Number(40800) * c.v_x;
+        const Number k_189 = w.k_104 * (k_185 - k_187 - k_188 - Number(2) / Number(195) * w.k_104);
+        const Number k_190 = w.k_120 * (k_188 - k_187 - Number(2) / Number(195) * w.k_120);
+        const Number k_191 = k_189 + k_190 - Number(1453) / Number(2400) * w.k_43 - Number(14333) / Number(21600) * w.k_66;
+        w.k_192 = Number(28) / Number(125) * w.k_120;
+        const Number k_193 = Number(947) / Number(1950) * c.v_x + Number(2) / Number(13) * w.k_104 - w.k_192;
+        const Number k_194 = w.k_104 * k_193 - Number(3371) / Number(68000) * w.k_66 - Number(28) / Number(125) * w.k_165;
+        const Number k_195 = -Number(3371) / Number(68000) * c.v_x - Number(947) / Number(1950) * w.k_120;
+        const Number k_196 = c.u_x * k_191 + w.k_104 * k_194 + w.k_120 * (c.v_x * k_195 + Number(2) / Number(13) * w.k_165);
+        const Number k_197 = Number(1) / Number(2) * c.v_x;
+        const Number k_198 = w.k_104 * (-w.k_177 - k_175 - k_197 - Number(7) / Number(10) * w.k_104);
+        w.k_199 = c.eps * k_196 + k_198 + w.k_120 * (k_197 - k_175 - Number(7) / Number(10) * w.k_120) + Number(367) / Number(960) * w.k_43 + Number(163) / Number(960) * w.k_66;
+        const Number k_200 = Number(379) / Number(1950) * c.u_x + Number(46) / Number(125) * w.k_120 - Number(4) / Number(39) * w.k_104;
+        w.k_201 = w.k_104 * k_200 - Number(41721) / Number(68000) * w.k_43 - Number(46) / Number(125) * w.k_165;
+        w.k_202 = Number(41721) / Number(68000) * c.u_x - Number(379) / Number(1950) * w.k_120;
     }
 
     template <class Number> static void compute_constants_3(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        const Number k_205 = w.k_104 * w.k_204 - Number(41721) / Number(68000) * w.k_43 - Number(46) / Number(125) * w.k_168;
-        const Number k_206 = Number(41721) / Number(68000) * c.u_x - Number(379) / Number(1950) * w.k_120;
-        const Number k_207 = w.k_104 * k_205 + w.k_120 * (c.u_x * k_206 + Number(4) / Number(39) * w.k_168);
-        const Number k_208 = c.c_10 * w.k_104;
-        const Number k_209 = c.c_10 * w.k_120;
-        const Number k_210 = c.eps * k_207 + c.u_x * (k_209 - k_208) + Number(1) / Number(10) * w.k_168 - Number(1) / Number(10) * w.k_184;
-        const Number k_211 = w.k_188 + Number(6) / Number(5) * w.k_104 - Number(6) / Number(5) * w.k_120;
-        const Number k_212 = c.eps * (c.v_x * w.k_203 + c.u_x * k_210) + c.u_x * k_211 + c.v_x * (w.k_180 + w.k_187);
-        const Number k_213 = w.k_42 + c.eps * w.k_190;
-        const Number k_214 = w.k_66 + c.eps * k_212;
-        c.c_29 = w.k_10 * w.k_11 + w.k_10 * w.k_12 + w.k_161 + c.c_2 * (w.k_190 * w.k_190) + c.c_2 * (k_212 * k_212) - Number(4) * (k_213 * k_213 + k_214 * k_214);
-        const Number k_215 = Number(56387) / Number(408000) * c.u_x;
-        const Number k_216 = Number(87077) / Number(612000) * c.v_x;
-        const Number k_217 = k_216 + k_208 + Number(113) / Number(975) * w.k_120 - k_215;
-        const Number k_218 = Number(7867) / Number(48960) * c.v_x;
-        const Number k_219 = c.v_x * (-k_218 - c.c_5 * w.k_104 - Number(33) / Number(325) * w.k_120);
-        const Number k_220 = Number(18) / Number(125) * w.k_120;
-        const Number k_221 = c.u_x * k_217 + k_219 + w.k_104 * (Number(1) / Number(125) * w.k_104 + k_220) - Number(12) / Number(325) * w.k_168;
-        const Number k_222 = Number(99277) / Number(612000) * c.v_x;
-        const Number k_223 = k_222 + Number(4) / Number(15) * w.k_104 + Number(103) / Number(975) * w.k_120;
-        const Number k_224 = Number(72) / Number(125) * w.k_120;
-        const Number k_225 = c.v_x * k_223 + w.k_104 * (Number(3) / Number(250) * w.k_104 - k_224) - Number(59) / Number(650) * w.k_168;
-        const Number k_226 = Number(1) / Number(10) * c.u_x;
-        const Number k_227 = c.u_x * (w.k_179 - k_208 - k_226 - Number(1) / Number(20) * w.k_120);
-        const Number k_228 = Number(7) / Number(60) * c.v_x;
-        const Number k_229 = c.eps * (c.u_x * k_221 + c.v_x * k_225) + k_227 + c.v_x * (k_208 + Number(3) / Number(10) * w.k_120 - k_228);
-        const Number k_230 = Number(3569) / Number(204000) * c.v_x;
-        const Number k_231 = -k_230 - Number(37) / Number(90) * w.k_104 - Number(121) / Number(650) * w.k_120;
-        const Number k_232 = c.v_x * k_231 + w.k_104 * (-w.k_196 - Number(77) / Number(250) * w.k_104) + Number(89) / Number(650) * w.k_168;
-        const Number k_233 = k_208 + c.eps * k_232 + k_228 - Number(3) / Number(20) * w.k_120;
-        const Number k_234 = Number(3) / Number(10) * c.u_x;
-        const Number k_235 = c.c_10 * c.v_x;
-        const Number k_236 = c.c_10 * w.k_67;
-        const Number k_237 = c.eps * (c.u_x * k_229 + w.k_67 * k_233) + c.u_x * (k_234 - k_235) + k_236;
-        const Number k_238 = w.k_103 + c.eps * k_237;
-        c.c_30 = w.k_10 * w.k_34 + w.k_161 + c.c_2 * (k_237 * k_237) - Number(4) * (k_238 * k_238);
-        const Number k_239 = k_209 + Number(113) / Number(975) * w.k_104 - k_215 - k_216;
-        const Number k_240 = c.v_x * (Number(33) / Number(325) * w.k_104 + c.c_5 * w.k_120 - k_218);
-        const Number k_241 = c.u_x * k_239 + k_240 + w.k_104 * (k_220 - Number(12) / Number(325) * w.k_104) + Number(1) / Number(125) * w.k_168;
-        const Number k_242 = Number(103) / Number(975) * w.k_104 + Number(4) / Number(15) * w.k_120 - k_222;
-        const Number k_243 = c.v_x * k_242 + w.k_104 * (Number(59) / Number(650) * w.k_104 + k_224) - Number(3) / Number(250) * w.k_168;
-        const Number k_244 = c.u_x * (-w.k_179 - k_226 - Number(1) / Number(20) * w.k_104 - k_209);
-        const Number k_245 = c.eps * (c.u_x * k_241 + c.v_x * k_243) + k_244 + c.v_x * (-k_228 - k_209 - Number(3) / Number(10) * w.k_104);
-        const Number k_246 = Number(121) / Number(650) * w.k_104 + Number(37) / Number(90) * w.k_120 - k_230;
-        const Number k_247 = c.v_x * k_246 + w.k_104 * (Number(89) / Number(650) * w.k_104 - w.k_196) - Number(77) / Number(250) * w.k_168;
-        const Number k_248 = k_209 + c.eps * k_247 - k_228 - Number(3) / Number(20) * w.k_104;
-        const Number k_249 = k_236 + c.eps * (c.u_x * k_245 + w.k_67 * k_248) + c.u_x * (k_234 + k_235);
-        const Number k_250 = w.k_119 + c.eps * k_249;
-        c.c_31 = w.k_10 * w.k_15 + w.k_161 + c.c_2 * (k_249 * k_249) - Number(4) * (k_250 * k_250);
+        const Number k_203 = w.k_104 * w.k_201 + w.k_120 * (c.u_x * w.k_202 + Number(4) / Number(39) * w.k_165);
+        const Number k_204 = Number(1) / Number(5) * w.k_104;
+        const Number k_205 = Number(1) / Number(5) * w.k_120;
+        const Number k_206 = c.eps * k_203 + c.u_x * (k_205 - k_204) + c.c_3 * w.k_165 - c.c_3 * w.k_180;
+        const Number k_207 = w.k_184 + Number(6) / Number(5) * w.k_104 - Number(6) / Number(5) * w.k_120;
+        const Number k_208 = c.eps * (c.v_x * w.k_199 + c.u_x * k_206) + c.u_x * k_207 + c.v_x * (w.k_177 + w.k_183);
+        const Number k_209 = w.k_42 + c.eps * w.k_186;
+        const Number k_210 = w.k_65 + c.eps * k_208;
+        c.c_31 = w.k_10 * w.k_11 + w.k_10 * w.k_12 + w.k_158 + c.c_2 * (w.k_186 * w.k_186) + c.c_2 * (k_208 * k_208) - Number(4) * (k_209 * k_209 + k_210 * k_210);
+        const Number k_211 = Number(56387) / Number(408000) * c.u_x;
+        const Number k_212 = Number(87077) / Number(612000) * c.v_x;
+        const Number k_213 = k_212 + k_204 + Number(113) / Number(975) * w.k_120 - k_211;
+        const Number k_214 = Number(7867) / Number(48960) * c.v_x;
+        const Number k_215 = -k_214 - Number(1) / Number(3) * w.k_104 - Number(33) / Number(325) * w.k_120;
+        const Number k_216 = Number(18) / Number(125) * w.k_120;
+        const Number k_217 = c.u_x * k_213 + c.v_x * k_215 + w.k_104 * (Number(1) / Number(125) * w.k_104 + k_216) - Number(12) / Number(325) * w.k_165;
+        const Number k_218 = Number(99277) / Number(612000) * c.v_x;
+        const Number k_219 = k_218 + Number(4) / Number(15) * w.k_104 + Number(103) / Number(975) * w.k_120;
+        const Number k_220 = Number(72) / Number(125) * w.k_120;
+        const Number k_221 = c.v_x * k_219 + w.k_104 * (Number(3) / Number(250) * w.k_104 - k_220) - Number(59) / Number(650) * w.k_165;
+        const Number k_222 = c.c_3 * c.u_x;
+        const Number k_223 = c.u_x * (w.k_176 - k_204 - k_222 - Number(1) / Number(20) * w.k_120);
+        const Number k_224 = Number(7) / Number(60) * c.v_x;
+        const Number k_225 = c.eps * (c.u_x * k_217 + c.v_x * k_221) + k_223 + c.v_x * (k_204 + Number(3) / Number(10) * w.k_120 - k_224);
+        const Number k_226 = Number(3569) / Number(204000) * c.v_x;
+        const Number k_227 = -k_226 - Number(37) / Number(90) * w.k_104 - Number(121) / Number(650) * w.k_120;
+        const Number k_228 = c.v_x * k_227 + w.k_104 * (-w.k_192 - Number(77) / Number(250) * w.k_104) + Number(89) / Number(650) * w.k_165;
+        const Number k_229 = k_204 + c.eps * k_228 + k_224 - Number(3) / Number(20) * w.k_120;
+        const Number k_230 = Number(3) / Number(10) * c.u_x;
+        const Number k_231 = Number(1) / Number(5) * c.v_x;
+        const Number k_232 = Number(1) / Number(5) * w.k_66;
+        const Number k_233 = c.eps * (c.u_x * k_225 + w.k_66 * k_229) + c.u_x * (k_230 - k_231) + k_232;
+        const Number k_234 = w.k_103 + c.eps * k_233;
+        c.c_32 = w.k_10 * w.k_34 + w.k_158 + c.c_2 * (k_233 * k_233) - Number(4) * (k_234 * k_234);
+        const Number k_235 = k_205 + Number(113) / Number(975) * w.k_104 - k_211 - k_212;
+        const Number k_236 = Number(33) / Number(325) * w.k_104 + Number(1) / Number(3) * w.k_120 - k_214;
+        const Number k_237 = c.u_x * k_235 + c.v_x * k_236 + w.k_104 * (k_216 - Number(12) / Number(325) * w.k_104) + Number(1) / Number(125) * w.k_165;
+        const Number k_238 = Number(103) / Number(975) * w.k_104 + Number(4) / Number(15) * w.k_120 - k_218;
+        const Number k_239 = c.v_x * k_238 + w.k_104 * (Number(59) / Number(650) * w.k_104 + k_220) - Number(3) / Number(250) * w.k_165;
+        const Number k_240 = c.u_x * (-w.k_176 - k_222 - Number(1) / Number(20) * w.k_104 - k_205);
+        const Number k_241 = c.eps * (c.u_x * k_237 + c.v_x * k_239) + k_240 + c.v_x * (-k_224 - k_205 - Number(3) / Number(10) * w.k_104);
+        const Number k_242 = Number(121) / Number(650) * w.k_104 + Number(37) / Number(90) * w.k_120 - k_226;
+        const Number k_243 = c.v_x * k_242 + w.k_104 * (Number(89) / Number(650) * w.k_104 - w.k_192) - Number(77) / Number(250) * w.k_165;
+        const Number k_244 = k_205 + c.eps * k_243 - k_224 - Number(3) / Number(20) * w.k_104;
+        const Number k_245 = k_232 + c.eps * (c.u_x * k_241 + w.k_66 * k_244) + c.u_x * (k_230 + k_231);
+        const Number k_246 = w.k_119 + c.eps * k_245;
+        c.c_33 = w.k_10 * w.k_15 + w.k_158 + c.c_2 * (k_245 * k_245) - Number(4) * (k_246 * k_246);
     }
 
     template <class Number> static void compute_constants(
@@ -551,41 +550,43 @@ private:
         keep(from.c_1, c.c_1, "c_1");
         keep(from.eps, c.eps, "eps");
         keep(from.c_2, c.c_2, "c_2 in y");
-        keep(from.c_3, c.c_3, "c_3 in x");
-        keep(from.c_4, c.c_4, "c_4 in y");
-        keep(from.c_5, c.c_5, "c_5 in x");
         keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_3, c.c_3, "c_3 in y");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_6, c.c_6, "c_6 in theta");
+        keep(from.c_4, c.c_4, "c_4 in theta");
+        keep(from.c_5, c.c_5, "c_5 in x");
+        keep(from.c_6, c.c_6, "c_6 in x");
         keep(from.c_7, c.c_7, "c_7 in x");
         keep(from.c_8, c.c_8, "c_8 in x");
-        keep(from.c_9, c.c_9, "c_9 in y");
+        keep(from.c_9, c.c_9, "c_9 in x");
         keep(from.c_10, c.c_10, "c_10 in y");
         keep(from.c_11, c.c_11, "c_11 in y");
-        keep(from.c_12, c.c_12, "c_12 in x");
-        keep(from.c_13, c.c_13, "c_13 in x");
+        keep(from.c_12, c.c_12, "c_12 in y");
+        keep(from.c_13, c.c_13, "c_13 in y");
         keep(from.c_14, c.c_14, "c_14 in x");
         keep(from.c_15, c.c_15, "c_15 in x");
         keep(from.c_16, c.c_16, "c_16 in x");
         keep(from.c_17, c.c_17, "c_17 in x");
         keep(from.c_18, c.c_18, "c_18 in x");
-        keep(from.c_19, c.c_19, "c_19 in y");
-        keep(from.c_20, c.c_20, "c_20 in y");
+        keep(from.c_19, c.c_19, "c_19 in x");
+        keep(from.c_20, c.c_20, "c_20 in x");
         keep(from.c_21, c.c_21, "c_21 in y");
         keep(from.c_22, c.c_22, "c_22 in y");
         keep(from.c_23, c.c_23, "c_23 in y");
         keep(from.c_24, c.c_24, "c_24 in y");
         keep(from.c_25, c.c_25, "c_25 in y");
+        keep(from.c_26, c.c_26, "c_26 in y");
+        keep(from.c_27, c.c_27, "c_27 in y");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_26 > From(0))) return {Status::outside_domain, "x"};
-        if (!(from.c_27 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_28 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_29 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_28 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_29 > From(0))) return {Status::outside_domain, "y"};
         if (!(from.c_30 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_31 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_31 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_32 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_33 > From(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -622,7 +623,7 @@ private:
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
         Number c_1;
-        Number c_6;
+        Number c_4;
     };
 
     template <class Number> static void compute_phase_constants(
@@ -695,7 +696,7 @@ private:
         const Number v_x = eps * k_58 - x_dot_0 * k_1;
         const Number k_59 = Number(107) / Number(240) * (u_x * u_x) + Number(107) / Number(240) * (v_x * v_x);
         const Number theta_dot = Number(1) + k_2 * k_59;
-        c.c_6 = k_1 * theta_dot;
+        c.c_4 = k_1 * theta_dot;
     }
 
     // With all of them, if a step leaves the range of Number.
@@ -707,7 +708,7 @@ private:
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
             c.c_1 = all.c_1;
-            c.c_6 = all.c_6;
+            c.c_4 = all.c_4;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -717,7 +718,7 @@ private:
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_6;
+        return c.c_4;
     }
 
     // What differs from call to call.
@@ -733,8 +734,8 @@ private:
         const Real q_3 = re_x * re_x;
         const Real im_x = c.u_x * a.sin_theta + c.v_x * a.cos_theta;
         const Real q_4 = im_x * im_x;
-        const Real q_5 = c.eps * re_x * (-c.c_7 * q_3 - c.c_8 * q_4) - c.c_3 * q_3 - c.c_5 * q_4;
-        const Real q_6 = c.c_9 * q_3 + c.c_4 * q_4 + c.eps * re_x * (-c.c_10 * q_3 - c.c_11 * q_4);
+        const Real q_5 = c.c_5 * q_3 + c.eps * re_x * (c.c_7 * q_3 - c.c_8 * q_4 - c.c_9) - c.c_5 * q_4 - c.c_6;
+        const Real q_6 = c.c_3 * q_3 + c.eps * re_x * (c.c_11 * q_3 - c.c_12 * q_4 - c.c_13) + c.c_10 - c.c_3 * q_4;
         values.x = c.eps * (q_1 + c.eps * q_5 - q_2);
         values.y = c.c_2 * q_6;
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
@@ -743,7 +744,7 @@ private:
     // Of the rows; NaN outside of the domain.
     template <class Number> static std::array<Number, 14> amplitudes(
             const Constants<Number>& c, [[maybe_unused]] const Number& T) {
-        return {Number(c.c_12), Number(c.c_13), Number(c.c_14), Number(c.c_15), Number(c.c_16), Number(c.c_17), Number(c.c_18), Number(c.c_19), Number(c.c_20), Number(c.c_21), Number(c.c_22), Number(c.c_23), Number(c.c_24), Number(c.c_25)};
+        return {Number(c.c_14), Number(c.c_15), Number(c.c_16), Number(c.c_17), Number(c.c_18), Number(c.c_19), Number(c.c_20), Number(c.c_21), Number(c.c_22), Number(c.c_23), Number(c.c_24), Number(c.c_25), Number(c.c_26), Number(c.c_27)};
     }
 
     using Cause = resonform::Cause;
@@ -859,7 +860,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
-        auto conditions() const { return std::array<Real, 6>{c.c_26, c.c_27, c.c_28, c.c_29, c.c_30, c.c_31}; }
+        auto conditions() const { return std::array<Real, 6>{c.c_28, c.c_29, c.c_30, c.c_31, c.c_32, c.c_33}; }
         template <class Number> struct Angles {
             PhaseConstants<Number> own; // if they are not in Real
             Cause lost;

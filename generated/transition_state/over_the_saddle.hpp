@@ -5,8 +5,8 @@
 //   system      transition_state
 //   scene       over_the_saddle: Over the saddle, as long as the mode that grows is small
 //   order       3, normal form and map through weight 4
-//   operations  33 add, 53 multiply, 0 divide, 0 root, 1 sincos, 2 other, 0 tables
-//   written out 130 add, 322 multiply, 94 divide, 0 root, 40 sincos, 0 other, 0 tables
+//   operations  41 add, 54 multiply, 0 divide, 0 root, 1 sincos, 2 other, 0 tables
+//   written out 150 add, 356 multiply, 104 divide, 0 root, 44 sincos, 0 other, 0 tables
 //   many points one by one: no tables of modes that may grow
 //
 // z1 = a1*exp(I*theta)
@@ -193,14 +193,14 @@ private:
         Number c_1;
         Number eps;
         Number c_2;
-        Number c_3;
-        Number c_4;
-        Number c_5;
         Number u_x;
+        Number c_3;
         Number v_x;
-        Number c_6;
         Number u_y;
         Number u_y_;
+        Number c_4;
+        Number c_5;
+        Number c_6;
         Number c_7;
         Number c_8;
         Number c_9;
@@ -230,12 +230,14 @@ private:
         Number c_33;
         Number c_34;
         Number c_35;
+        Number c_36;
+        Number c_37;
+        Number c_38;
     };
 
     template <class Number> struct compute_constants_quantities {
         Number k_1;
         Number k_2;
-        Number k_8;
         Number k_11;
         Number k_12;
         Number k_13;
@@ -244,22 +246,23 @@ private:
         Number k_35;
         Number k_43;
         Number k_44;
+        Number k_66;
         Number k_67;
-        Number k_68;
-        Number k_93;
+        Number k_92;
         Number k_106;
-        Number k_107;
-        Number k_109;
+        Number theta_dot;
+        Number k_108;
+        Number k_126;
         Number k_127;
-        Number k_156;
-        Number k_172;
-        Number k_176;
-        Number k_181;
-        Number k_188;
+        Number k_154;
+        Number k_170;
+        Number k_174;
+        Number k_175;
+        Number k_180;
+        Number k_187;
+        Number k_191;
+        Number k_192;
         Number k_193;
-        Number k_194;
-        Number k_195;
-        Number k_196;
     };
 
     template <class Number> static void compute_constants_1(
@@ -277,280 +280,284 @@ private:
         const Number k_6 = Number(27943) / Number(68000) * x_0 * w.k_1;
         const Number x_dot_0 = Number(start.x_dot_0);
         const Number k_7 = Number(35771) / Number(25500) * x_dot_0 * w.k_1;
-        w.k_8 = k_3 - k_4;
-        const Number k_9 = k_7 + Number(1657) / Number(3900) * w.k_1 * k_5 - k_6 - Number(17) / Number(75) * w.k_1 * w.k_8;
-        const Number k_10 = w.k_1 * w.k_8 * (Number(1657) / Number(3900) * w.k_1 * w.k_8 - k_6 - k_7);
+        const Number k_8 = k_3 - k_4;
+        const Number k_9 = k_7 + Number(1657) / Number(3900) * w.k_1 * k_5 - k_6 - Number(17) / Number(75) * w.k_1 * k_8;
+        const Number k_10 = w.k_1 * k_8 * (Number(1657) / Number(3900) * w.k_1 * k_8 - k_6 - k_7);
         w.k_11 = Number(1) / w.k_2;
         w.k_12 = x_0 * x_0;
         w.k_13 = x_dot_0 * x_dot_0;
         const Number k_14 = w.k_1 * k_5 * k_9 + k_10 - Number(8671) / Number(86400) * w.k_11 * w.k_12 - Number(145) / Number(128) * w.k_11 * w.k_13;
-        const Number k_15 = Number(2) / Number(13) * w.k_1 * k_5 + Number(84) / Number(125) * w.k_1 * w.k_8 - Number(2063) / Number(1950) * x_dot_0 * w.k_1;
-        w.k_16 = w.k_8 * w.k_8;
+        const Number k_15 = Number(2) / Number(13) * w.k_1 * k_5 + Number(84) / Number(125) * w.k_1 * k_8 - Number(2063) / Number(1950) * x_dot_0 * w.k_1;
+        w.k_16 = k_8 * k_8;
         const Number k_17 = w.k_1 * k_5 * k_15 + Number(84) / Number(125) * w.k_11 * w.k_16 - Number(484567) / Number(612000) * w.k_11 * w.k_13;
-        const Number k_18 = Number(484567) / Number(612000) * x_dot_0 * w.k_1 - Number(2063) / Number(1950) * w.k_1 * w.k_8;
+        const Number k_18 = Number(484567) / Number(612000) * x_dot_0 * w.k_1 - Number(2063) / Number(1950) * w.k_1 * k_8;
         const Number k_19 = Number(2) / Number(13) * w.k_11 * w.k_16 - x_dot_0 * w.k_1 * k_18;
-        const Number k_20 = x_0 * w.k_1 * k_14 + w.k_1 * k_5 * k_17 + w.k_1 * w.k_8 * k_19;
-        const Number k_21 = Number(5669) / Number(8640) * x_dot_0 * w.k_1 + Number(155657) / Number(306000) * w.k_1 * w.k_8 - Number(155657) / Number(306000) * w.k_1 * k_5;
-        const Number k_22 = Number(29) / Number(78) * w.k_1 * k_5 + Number(266) / Number(75) * w.k_1 * w.k_8;
+        const Number k_20 = x_0 * w.k_1 * k_14 + w.k_1 * k_5 * k_17 + w.k_1 * k_8 * k_19;
+        const Number k_21 = Number(5669) / Number(8640) * x_dot_0 * w.k_1 + Number(155657) / Number(306000) * w.k_1 * k_8 - Number(155657) / Number(306000) * w.k_1 * k_5;
+        const Number k_22 = Number(29) / Number(78) * w.k_1 * k_5 + Number(266) / Number(75) * w.k_1 * k_8;
         const Number k_23 = w.k_1 * k_5 * k_22 + Number(29) / Number(78) * w.k_11 * w.k_16 - x_dot_0 * w.k_1 * k_21;
-        const Number k_24 = Number(7) / Number(195) * w.k_1 * k_5 + Number(253) / Number(125) * w.k_1 * w.k_8;
+        const Number k_24 = Number(7) / Number(195) * w.k_1 * k_5 + Number(253) / Number(125) * w.k_1 * k_8;
         const Number k_25 = w.k_1 * k_5 * k_24 - Number(253) / Number(125) * w.k_11 * w.k_16;
         w.k_26 = w.k_2 * c.eps;
-        const Number k_27 = Number(7) / Number(195) * (Number(1) / w.k_26) * (w.k_16 * w.k_8);
+        const Number k_27 = Number(7) / Number(195) * (Number(1) / w.k_26) * (w.k_16 * k_8);
         const Number k_28 = x_dot_0 * w.k_1 * (w.k_1 * k_5 * k_25 - x_dot_0 * w.k_1 * k_23 - k_27);
         c.c_2 = Number(1) / Number(15);
         const Number k_29 = c.c_2 * x_0 * w.k_1;
         const Number k_30 = Number(11) / Number(15) * x_dot_0 * w.k_1;
-        const Number k_31 = k_30 + Number(46) / Number(25) * w.k_1 * w.k_8 - k_29 - Number(7) / Number(10) * w.k_1 * k_5;
-        const Number k_32 = w.k_1 * w.k_8 * (-k_29 - k_30 - Number(7) / Number(10) * w.k_1 * w.k_8);
+        const Number k_31 = k_30 + Number(46) / Number(25) * w.k_1 * k_8 - k_29 - Number(7) / Number(10) * w.k_1 * k_5;
+        const Number k_32 = w.k_1 * k_8 * (-k_29 - k_30 - Number(7) / Number(10) * w.k_1 * k_8);
         const Number k_33 = w.k_1 * k_5 * k_31 + k_32 + Number(299) / Number(14400) * w.k_11 * w.k_12 + Number(4679) / Number(14400) * w.k_11 * w.k_13;
-        const Number k_34 = -Number(17) / Number(30) * w.k_1 * k_5 - Number(17) / Number(30) * w.k_1 * w.k_8;
+        const Number k_34 = -Number(17) / Number(30) * w.k_1 * k_5 - Number(17) / Number(30) * w.k_1 * k_8;
         w.k_35 = k_5 * k_5;
         const Number k_36 = Number(3) / Number(10) * w.k_11 * w.k_16 - x_dot_0 * w.k_1 * k_34 - Number(3) / Number(10) * w.k_11 * w.k_35;
         const Number k_37 = c.eps * (x_0 * w.k_1 * k_20 - k_28) + x_0 * w.k_1 * k_33 - x_dot_0 * w.k_1 * k_36;
-        c.c_3 = Number(1) / Number(6);
-        c.c_4 = Number(2) / Number(5);
-        const Number k_38 = c.c_4 * w.k_1 * k_5;
-        const Number k_39 = c.c_4 * w.k_1 * w.k_8;
-        c.c_5 = Number(1) / Number(3);
-        const Number k_40 = c.c_5 * x_dot_0 * w.k_1;
-        const Number k_41 = Number(4) / Number(5) * w.k_1 * k_5 - k_40 - Number(4) / Number(5) * w.k_1 * w.k_8;
-        const Number k_42 = c.eps * k_37 + x_0 * w.k_1 * (c.c_3 * x_0 * w.k_1 + k_38 + k_39) - x_dot_0 * w.k_1 * k_41;
-        w.k_43 = c.eps * k_42;
+        const Number k_38 = Number(2) / Number(5) * w.k_1 * k_5;
+        const Number k_39 = Number(2) / Number(5) * w.k_1 * k_8;
+        const Number k_40 = x_0 * w.k_1 * (Number(1) / Number(6) * x_0 * w.k_1 + k_38 + k_39);
+        const Number k_41 = Number(1) / Number(3) * x_dot_0 * w.k_1;
+        const Number k_42 = Number(4) / Number(5) * w.k_1 * k_5 - k_41 - Number(4) / Number(5) * w.k_1 * k_8;
+        w.k_43 = c.eps * (c.eps * k_37 + k_40 - x_dot_0 * w.k_1 * k_42);
         c.u_x = x_0 * w.k_1 + w.k_43;
         w.k_44 = c.u_x * c.u_x;
         const Number k_45 = Number(184927) / Number(612000) * x_0 * w.k_1;
         const Number k_46 = Number(149281) / Number(612000) * x_dot_0 * w.k_1;
-        const Number k_47 = k_45 + Number(167) / Number(650) * w.k_1 * k_5 - k_46 - Number(82) / Number(25) * w.k_1 * w.k_8;
-        const Number k_48 = w.k_1 * w.k_8 * (k_45 + k_46 + Number(167) / Number(650) * w.k_1 * w.k_8);
+        const Number k_47 = k_45 + Number(167) / Number(650) * w.k_1 * k_5 - k_46 - Number(82) / Number(25) * w.k_1 * k_8;
+        const Number k_48 = w.k_1 * k_8 * (k_45 + k_46 + Number(167) / Number(650) * w.k_1 * k_8);
         const Number k_49 = w.k_1 * k_5 * k_47 + k_48 + Number(544) / Number(675) * w.k_11 * w.k_12 + Number(877) / Number(1728) * w.k_11 * w.k_13;
-        const Number k_50 = Number(3) / Number(65) * w.k_1 * k_5 - Number(613) / Number(1950) * x_dot_0 * w.k_1 - Number(209) / Number(125) * w.k_1 * w.k_8;
+        const Number k_50 = Number(3) / Number(65) * w.k_1 * k_5 - Number(613) / Number(1950) * x_dot_0 * w.k_1 - Number(209) / Number(125) * w.k_1 * k_8;
         const Number k_51 = w.k_1 * k_5 * k_50 + Number(18749) / Number(204000) * w.k_11 * w.k_13 - Number(209) / Number(125) * w.k_11 * w.k_16;
-        const Number k_52 = -Number(18749) / Number(204000) * x_dot_0 * w.k_1 - Number(613) / Number(1950) * w.k_1 * w.k_8;
+        const Number k_52 = -Number(18749) / Number(204000) * x_dot_0 * w.k_1 - Number(613) / Number(1950) * w.k_1 * k_8;
         const Number k_53 = Number(3) / Number(65) * w.k_11 * w.k_16 - x_dot_0 * w.k_1 * k_52;
-        const Number k_54 = x_0 * w.k_1 * k_49 + w.k_1 * k_5 * k_51 + w.k_1 * w.k_8 * k_53;
-        const Number k_55 = c.c_4 * x_0 * w.k_1;
-        const Number k_56 = c.c_3 * x_dot_0 * w.k_1;
-        const Number k_57 = k_55 + k_56 + Number(66) / Number(25) * w.k_1 * w.k_8 - Number(1) / Number(10) * w.k_1 * k_5;
-        const Number k_58 = w.k_1 * w.k_8 * (k_55 - k_56 - Number(1) / Number(10) * w.k_1 * w.k_8);
-        const Number k_59 = c.eps * k_54 + w.k_1 * k_5 * k_57 + k_58 - Number(8161) / Number(14400) * w.k_11 * w.k_12 - Number(1741) / Number(14400) * w.k_11 * w.k_13;
-        const Number k_60 = Number(4) / Number(39) * w.k_1 * k_5 - Number(227) / Number(780) * x_0 * w.k_1 - Number(382) / Number(125) * w.k_1 * w.k_8;
-        const Number k_61 = w.k_1 * k_5 * k_60 + Number(223457) / Number(204000) * w.k_11 * w.k_12 + Number(382) / Number(125) * w.k_11 * w.k_16;
-        const Number k_62 = Number(227) / Number(780) * w.k_1 * w.k_8 - Number(223457) / Number(204000) * x_0 * w.k_1;
-        const Number k_63 = x_0 * w.k_1 * k_62 - Number(4) / Number(39) * w.k_11 * w.k_16;
-        const Number k_64 = c.eps * (w.k_1 * k_5 * k_61 + w.k_1 * w.k_8 * k_63) + x_0 * w.k_1 * (k_38 - k_39) + Number(1) / Number(10) * w.k_11 * w.k_35 - Number(1) / Number(10) * w.k_11 * w.k_16;
-        const Number k_65 = k_40 + Number(6) / Number(5) * w.k_1 * w.k_8 - Number(6) / Number(5) * w.k_1 * k_5;
-        const Number k_66 = c.eps * (x_0 * w.k_1 * k_64 - x_dot_0 * w.k_1 * k_59) + x_0 * w.k_1 * k_65 - x_dot_0 * w.k_1 * (-k_39 - k_38);
-        w.k_67 = c.eps * k_66;
-        c.v_x = w.k_67 - x_dot_0 * w.k_1;
-        w.k_68 = c.v_x * c.v_x;
-        const Number k_69 = Number(1571) / Number(17000) * x_0 * w.k_1;
-        const Number k_70 = Number(351) / Number(4250) * x_dot_0 * w.k_1;
-        const Number k_71 = k_69 + k_70 + Number(8) / Number(75) * w.k_1 * k_5 - Number(129) / Number(1300) * w.k_1 * w.k_8;
-        const Number k_72 = Number(139) / Number(850) * x_dot_0 * w.k_1;
-        const Number k_73 = Number(11) / Number(30) * w.k_1 * k_5 + Number(197) / Number(1300) * w.k_1 * w.k_8 - k_72;
-        const Number k_74 = Number(56) / Number(125) * w.k_1 * w.k_8;
-        const Number k_75 = x_0 * w.k_1 * k_71 + w.k_1 * k_5 * (k_38 - k_74) - x_dot_0 * w.k_1 * k_73 - Number(8) / Number(65) * w.k_11 * w.k_16;
-        const Number k_76 = Number(56) / Number(325) * x_dot_0 * w.k_1;
-        const Number k_77 = k_76 + Number(89) / Number(125) * w.k_1 * k_5 + Number(3) / Number(13) * w.k_1 * w.k_8;
-        const Number k_78 = Number(88) / Number(2125) * w.k_11 * w.k_13;
-        const Number k_79 = w.k_1 * w.k_8 * k_77 + Number(4) / Number(25) * w.k_11 * w.k_35 - k_78;
-        const Number k_80 = Number(1) / Number(10) * x_0 * w.k_1;
-        const Number k_81 = Number(1) / Number(20) * x_dot_0 * w.k_1;
-        c.c_6 = Number(1) / Number(5);
-        const Number k_82 = -k_80 - k_81 - c.c_6 * w.k_1 * k_5 - Number(3) / Number(10) * w.k_1 * w.k_8;
-        const Number k_83 = Number(1) / Number(20) * w.k_1 * w.k_8 - Number(7) / Number(25) * w.k_1 * k_5;
-        const Number k_84 = c.eps * (x_0 * w.k_1 * k_75 - x_dot_0 * w.k_1 * k_79) + x_0 * w.k_1 * k_83 - x_dot_0 * w.k_1 * k_82;
-        const Number k_85 = Number(173) / Number(2125) * x_dot_0 * w.k_1;
-        const Number k_86 = Number(31) / Number(90) * w.k_1 * k_5 + Number(28) / Number(325) * w.k_1 * w.k_8 - k_85;
-        const Number k_87 = -Number(69) / Number(125) * w.k_1 * k_5 - Number(1) / Number(13) * w.k_1 * w.k_8;
-        const Number k_88 = c.eps * (w.k_1 * w.k_8 * k_87 - x_dot_0 * w.k_1 * k_86) + k_81 + Number(3) / Number(25) * w.k_1 * k_5 + Number(3) / Number(20) * w.k_1 * w.k_8;
-        const Number k_89 = Number(3) / Number(10) * x_0 * w.k_1;
-        const Number k_90 = c.c_6 * x_dot_0 * w.k_1;
-        const Number k_91 = c.c_6 * w.k_11 * w.k_13;
-        const Number k_92 = c.eps * (x_0 * w.k_1 * k_84 + w.k_11 * w.k_13 * k_88) + x_0 * w.k_1 * (-k_89 - k_90) - k_91;
-        w.k_93 = c.eps * k_92;
-        c.u_y = w.k_1 * k_5 + w.k_93;
-        const Number k_94 = k_69 + Number(8) / Number(75) * w.k_1 * w.k_8 - k_70 - Number(129) / Number(1300) * w.k_1 * k_5;
-        const Number k_95 = -k_72 - Number(197) / Number(1300) * w.k_1 * k_5 - Number(11) / Number(30) * w.k_1 * w.k_8;
-        const Number k_96 = w.k_1 * k_5 * (-k_74 - Number(8) / Number(65) * w.k_1 * k_5);
-        const Number k_97 = x_0 * w.k_1 * k_94 + k_96 + c.c_4 * w.k_11 * w.k_16 - x_dot_0 * w.k_1 * k_95;
-        const Number k_98 = k_76 - Number(3) / Number(13) * w.k_1 * k_5 - Number(89) / Number(125) * w.k_1 * w.k_8;
-        const Number k_99 = w.k_1 * k_5 * k_98 + k_78 - Number(4) / Number(25) * w.k_11 * w.k_16;
-        const Number k_100 = k_80 + Number(3) / Number(10) * w.k_1 * k_5 + c.c_6 * w.k_1 * w.k_8 - k_81;
-        const Number k_101 = Number(1) / Number(20) * w.k_1 * k_5 - Number(7) / Number(25) * w.k_1 * w.k_8;
-        const Number k_102 = c.eps * (x_0 * w.k_1 * k_97 - x_dot_0 * w.k_1 * k_99) + x_0 * w.k_1 * k_101 - x_dot_0 * w.k_1 * k_100;
-        const Number k_103 = -k_85 - Number(28) / Number(325) * w.k_1 * k_5 - Number(31) / Number(90) * w.k_1 * w.k_8;
-        const Number k_104 = -Number(1) / Number(13) * w.k_1 * k_5 - Number(69) / Number(125) * w.k_1 * w.k_8;
-        const Number k_105 = c.eps * (w.k_1 * k_5 * k_104 - x_dot_0 * w.k_1 * k_103) + Number(3) / Number(20) * w.k_1 * k_5 + Number(3) / Number(25) * w.k_1 * w.k_8 - k_81;
-        w.k_106 = c.eps * (x_0 * w.k_1 * k_102 + w.k_11 * w.k_13 * k_105) + x_0 * w.k_1 * (k_90 - k_89) - k_91;
+        const Number k_54 = x_0 * w.k_1 * k_49 + w.k_1 * k_5 * k_51 + w.k_1 * k_8 * k_53;
+        const Number k_55 = Number(2) / Number(5) * x_0 * w.k_1;
+        const Number k_56 = Number(1) / Number(6) * x_dot_0 * w.k_1;
+        c.c_3 = Number(1) / Number(10);
+        const Number k_57 = k_55 + k_56 + Number(66) / Number(25) * w.k_1 * k_8 - c.c_3 * w.k_1 * k_5;
+        const Number k_58 = c.eps * k_54 + w.k_1 * k_5 * k_57 + w.k_1 * k_8 * (k_55 - k_56 - c.c_3 * w.k_1 * k_8) - Number(8161) / Number(14400) * w.k_11 * w.k_12 - Number(1741) / Number(14400) * w.k_11 * w.k_13;
+        const Number k_59 = Number(4) / Number(39) * w.k_1 * k_5 - Number(227) / Number(780) * x_0 * w.k_1 - Number(382) / Number(125) * w.k_1 * k_8;
+        const Number k_60 = w.k_1 * k_5 * k_59 + Number(223457) / Number(204000) * w.k_11 * w.k_12 + Number(382) / Number(125) * w.k_11 * w.k_16;
+        const Number k_61 = Number(227) / Number(780) * w.k_1 * k_8 - Number(223457) / Number(204000) * x_0 * w.k_1;
+        const Number k_62 = x_0 * w.k_1 * k_61 - Number(4) / Number(39) * w.k_11 * w.k_16;
+        const Number k_63 = c.eps * (w.k_1 * k_5 * k_60 + w.k_1 * k_8 * k_62) + x_0 * w.k_1 * (k_38 - k_39) + c.c_3 * w.k_11 * w.k_35 - c.c_3 * w.k_11 * w.k_16;
+        const Number k_64 = k_41 + Number(6) / Number(5) * w.k_1 * k_8 - Number(6) / Number(5) * w.k_1 * k_5;
+        const Number k_65 = c.eps * (x_0 * w.k_1 * k_63 - x_dot_0 * w.k_1 * k_58) + x_0 * w.k_1 * k_64 - x_dot_0 * w.k_1 * (-k_39 - k_38);
+        w.k_66 = c.eps * k_65;
+        c.v_x = w.k_66 - x_dot_0 * w.k_1;
+        w.k_67 = c.v_x * c.v_x;
+        const Number k_68 = Number(1571) / Number(17000) * x_0 * w.k_1;
+        const Number k_69 = Number(351) / Number(4250) * x_dot_0 * w.k_1;
+        const Number k_70 = k_68 + k_69 + Number(8) / Number(75) * w.k_1 * k_5 - Number(129) / Number(1300) * w.k_1 * k_8;
+        const Number k_71 = Number(139) / Number(850) * x_dot_0 * w.k_1;
+        const Number k_72 = Number(11) / Number(30) * w.k_1 * k_5 + Number(197) / Number(1300) * w.k_1 * k_8 - k_71;
+        const Number k_73 = Number(56) / Number(125) * w.k_1 * k_8;
+        const Number k_74 = x_0 * w.k_1 * k_70 + w.k_1 * k_5 * (k_38 - k_73) - x_dot_0 * w.k_1 * k_72 - Number(8) / Number(65) * w.k_11 * w.k_16;
+        const Number k_75 = Number(56) / Number(325) * x_dot_0 * w.k_1;
+        const Number k_76 = k_75 + Number(89) / Number(125) * w.k_1 * k_5 + Number(3) / Number(13) * w.k_1 * k_8;
+        const Number k_77 = Number(88) / Number(2125) * w.k_11 * w.k_13;
+        const Number k_78 = w.k_1 * k_8 * k_76 + Number(4) / Number(25) * w.k_11 * w.k_35 - k_77;
+        const Number k_79 = c.c_3 * x_0 * w.k_1;
+        const Number k_80 = Number(1) / Number(20) * x_dot_0 * w.k_1;
+        const Number k_81 = -k_79 - k_80 - Number(1) / Number(5) * w.k_1 * k_5 - Number(3) / Number(10) * w.k_1 * k_8;
+        const Number k_82 = Number(1) / Number(20) * w.k_1 * k_8 - Number(7) / Number(25) * w.k_1 * k_5;
+        const Number k_83 = c.eps * (x_0 * w.k_1 * k_74 - x_dot_0 * w.k_1 * k_78) + x_0 * w.k_1 * k_82 - x_dot_0 * w.k_1 * k_81;
+        const Number k_84 = Number(173) / Number(2125) * x_dot_0 * w.k_1;
+        const Number k_85 = Number(31) / Number(90) * w.k_1 * k_5 + Number(28) / Number(325) * w.k_1 * k_8 - k_84;
+        const Number k_86 = -Number(69) / Number(125) * w.k_1 * k_5 - Number(1) / Number(13) * w.k_1 * k_8;
+        const Number k_87 = c.eps * (w.k_1 * k_8 * k_86 - x_dot_0 * w.k_1 * k_85) + k_80 + Number(3) / Number(25) * w.k_1 * k_5 + Number(3) / Number(20) * w.k_1 * k_8;
+        const Number k_88 = Number(3) / Number(10) * x_0 * w.k_1;
+        const Number k_89 = Number(1) / Number(5) * x_dot_0 * w.k_1;
+        const Number k_90 = Number(1) / Number(5) * w.k_11 * w.k_13;
+        const Number k_91 = c.eps * (x_0 * w.k_1 * k_83 + w.k_11 * w.k_13 * k_87) + x_0 * w.k_1 * (-k_88 - k_89) - k_90;
+        w.k_92 = c.eps * k_91;
+        c.u_y = w.k_1 * k_5 + w.k_92;
+        const Number k_93 = k_68 + Number(8) / Number(75) * w.k_1 * k_8 - k_69 - Number(129) / Number(1300) * w.k_1 * k_5;
+        const Number k_94 = -k_71 - Number(197) / Number(1300) * w.k_1 * k_5 - Number(11) / Number(30) * w.k_1 * k_8;
+        const Number k_95 = w.k_1 * k_5 * (-k_73 - Number(8) / Number(65) * w.k_1 * k_5);
+        const Number k_96 = x_0 * w.k_1 * k_93 + k_95 + Number(2) / Number(5) * w.k_11 * w.k_16 - x_dot_0 * w.k_1 * k_94;
+        const Number k_97 = k_75 - Number(3) / Number(13) * w.k_1 * k_5 - Number(89) / Number(125) * w.k_1 * k_8;
+        const Number k_98 = w.k_1 * k_5 * k_97 + k_77 - Number(4) / Number(25) * w.k_11 * w.k_16;
+        const Number k_99 = k_79 + Number(3) / Number(10) * w.k_1 * k_5 + Number(1) / Number(5) * w.k_1 * k_8 - k_80;
+        const Number k_100 = Number(1) / Number(20) * w.k_1 * k_5 - Number(7) / Number(25) * w.k_1 * k_8;
+        const Number k_101 = c.eps * (x_0 * w.k_1 * k_96 - x_dot_0 * w.k_1 * k_98) + x_0 * w.k_1 * k_100 - x_dot_0 * w.k_1 * k_99;
+        const Number k_102 = -k_84 - Number(28) / Number(325) * w.k_1 * k_5 - Number(31) / Number(90) * w.k_1 * k_8;
+        const Number k_103 = -Number(1) / Number(13) * w.k_1 * k_5 - Number(69) / Number(125) * w.k_1 * k_8;
+        const Number k_104 = c.eps * (w.k_1 * k_5 * k_103 - x_dot_0 * w.k_1 * k_102) + Number(3) / Number(20) * w.k_1 * k_5 + Number(3) / Number(25) * w.k_1 * k_8 - k_80;
+        const Number k_105 = c.eps * (x_0 * w.k_1 * k_101 + w.k_11 * w.k_13 * k_104) + x_0 * w.k_1 * (k_89 - k_88) - k_90;
+        w.k_106 = c.eps * k_105;
+        c.u_y_ = w.k_1 * k_8 + w.k_106;
+        const Number k_107 = Number(107) / Number(240) * w.k_44 + Number(107) / Number(240) * w.k_67 - Number(4) / Number(5) * c.u_y * c.u_y_;
+        w.theta_dot = Number(1) + w.k_2 * k_107;
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        w.k_107 = c.eps * w.k_106;
-        c.u_y_ = w.k_1 * w.k_8 + w.k_107;
-        const Number k_108 = Number(107) / Number(240) * w.k_44 + Number(107) / Number(240) * w.k_68 - Number(4) / Number(5) * c.u_y * c.u_y_;
-        const Number theta_dot = Number(1) + w.k_2 * k_108;
-        c.c_7 = w.k_1 * theta_dot;
-        w.k_109 = c.c_6 * w.k_68;
-        const Number k_110 = c.c_6 * w.k_44;
-        const Number chi_1_dot = Number(1) + w.k_2 * (w.k_109 + k_110);
-        c.c_8 = w.k_1 * chi_1_dot;
-        const Number k_111 = magnitude(c.u_y);
-        const Number k_112 = hypot(c.u_x, c.v_x);
-        const Number k_113 = hypot(Number(-Number(2) / Number(5)), c.c_6);
-        const Number k_114 = hypot(Number(-Number(13) / Number(120)), Number(Number(11) / Number(120)));
-        const Number k_115 = k_112 * k_112;
-        const Number k_116 = magnitude(c.u_y_);
-        const Number k_117 = hypot(Number(Number(7) / Number(20)), Number(-Number(7) / Number(20)));
-        const Number k_118 = hypot(Number(Number(1) / Number(40)), Number(Number(7) / Number(120)));
-        const Number k_119 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
-        const Number k_120 = hypot(Number(Number(3) / Number(10)), Number(Number(1) / Number(10)));
-        const Number k_121 = hypot(Number(-Number(1) / Number(10)), Number(-Number(1) / Number(20)));
-        const Number k_122 = hypot(Number(-Number(1) / Number(10)), Number(Number(1) / Number(20)));
-        const Number k_123 = hypot(Number(Number(1) / Number(40)), Number(Number(3) / Number(40)));
-        const Number k_124 = hypot(Number(Number(1) / Number(40)), Number(-Number(3) / Number(40)));
-        const Number k_125 = c.eps * k_112 + c.eps * k_112 * k_113 + w.k_2 * k_114 * k_115 + c.c_4 * w.k_2 * k_112 * k_116 + w.k_2 * k_117 * k_115 + w.k_2 * k_118 * k_115 + sqrt(Number(w.k_2 * k_112 * k_119)) + sqrt(Number(w.k_2 * k_112 * k_120)) + w.k_2 * k_115 * k_121 + w.k_2 * k_115 * k_122 + w.k_2 * k_115 * k_123 + Number(1) / Number(10) * w.k_2 * k_115 + w.k_2 * k_115 * k_124;
-        c.c_9 = Number(1000) * w.k_26 + Number(10) * k_111 * k_125;
-        const Number chi_2_dot = w.k_2 * (-k_110 - w.k_109) - Number(1);
-        c.c_10 = w.k_1 * chi_2_dot;
-        c.c_11 = c.c_4 * c.u_y;
-        c.c_12 = c.c_4 * c.u_y_;
-        c.c_13 = Number(4) / Number(5) * c.u_y;
-        c.c_14 = Number(4) / Number(5) * c.u_y_;
-        c.c_15 = Number(4) / Number(15);
-        c.c_16 = Number(1) / Number(10) * c.u_y;
-        c.c_17 = Number(1) / Number(10) * c.u_y_;
-        c.c_18 = Number(197) / Number(960);
-        c.c_19 = Number(53) / Number(192);
-        c.c_20 = Number(13) / Number(30) * c.u_y;
-        c.c_21 = Number(13) / Number(30) * c.u_y_;
-        const Number k_126 = c.u_y * c.u_y;
-        c.c_22 = Number(3) / Number(10) * k_126;
+        c.c_4 = w.k_1 * w.theta_dot;
+        w.k_108 = Number(1) / Number(5) * w.k_67;
+        const Number k_109 = Number(1) / Number(5) * w.k_44;
+        const Number chi_1_dot = Number(1) + w.k_2 * (w.k_108 + k_109);
+        c.c_5 = w.k_1 * chi_1_dot;
+        const Number k_110 = magnitude(c.u_y);
+        const Number k_111 = hypot(c.u_x, c.v_x);
+        const Number k_112 = hypot(Number(-Number(2) / Number(5)), Number(Number(1) / Number(5)));
+        const Number k_113 = hypot(Number(-Number(13) / Number(120)), Number(Number(11) / Number(120)));
+        const Number k_114 = k_111 * k_111;
+        const Number k_115 = magnitude(c.u_y_);
+        const Number k_116 = hypot(Number(Number(7) / Number(20)), Number(-Number(7) / Number(20)));
+        c.c_6 = Number(1) / Number(40);
+        const Number k_117 = hypot(c.c_6, Number(Number(7) / Number(120)));
+        const Number k_118 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
+        const Number k_119 = hypot(Number(Number(3) / Number(10)), c.c_3);
+        const Number k_120 = hypot(Number(-Number(1) / Number(10)), Number(-Number(1) / Number(20)));
+        const Number k_121 = hypot(Number(-Number(1) / Number(10)), Number(Number(1) / Number(20)));
+        const Number k_122 = hypot(c.c_6, Number(Number(3) / Number(40)));
+        const Number k_123 = hypot(c.c_6, Number(-Number(3) / Number(40)));
+        const Number k_124 = c.eps * k_111 + c.eps * k_111 * k_112 + w.k_2 * k_113 * k_114 + Number(2) / Number(5) * w.k_2 * k_111 * k_115 + w.k_2 * k_116 * k_114 + w.k_2 * k_117 * k_114 + sqrt(Number(w.k_2 * k_111 * k_118)) + sqrt(Number(w.k_2 * k_111 * k_119)) + w.k_2 * k_114 * k_120 + w.k_2 * k_114 * k_121 + w.k_2 * k_114 * k_122 + c.c_3 * w.k_2 * k_114 + w.k_2 * k_114 * k_123;
+        c.c_7 = Number(1000) * w.k_26 + Number(10) * k_110 * k_124;
+        const Number chi_2_dot = w.k_2 * (-k_109 - w.k_108) - Number(1);
+        c.c_8 = w.k_1 * chi_2_dot;
+        c.c_9 = Number(1) / Number(12);
+        c.c_10 = Number(2) / Number(5) * c.u_y;
+        c.c_11 = Number(2) / Number(5) * c.u_y_;
+        c.c_12 = Number(4) / Number(5) * c.u_y;
+        c.c_13 = Number(4) / Number(5) * c.u_y_;
+        const Number k_125 = w.k_44 + w.k_67;
+        c.c_14 = Number(1) / Number(4) * k_125;
+        c.c_15 = c.c_3 * c.u_y;
+        c.c_16 = c.c_3 * c.u_y_;
+        c.c_17 = Number(17) / Number(960);
+        c.c_18 = Number(17) / Number(320);
+        c.c_19 = Number(107) / Number(480) * k_125;
+        c.c_20 = c.c_9 * c.u_y;
+        c.c_21 = c.c_9 * c.u_y_;
+        w.k_126 = c.u_y * c.u_y;
+        c.c_22 = Number(3) / Number(10) * w.k_126;
         w.k_127 = c.u_y_ * c.u_y_;
         c.c_23 = Number(3) / Number(10) * w.k_127;
-        c.c_24 = Number(3) / Number(5);
-        c.c_25 = Number(1) / Number(4) * c.u_y;
-        c.c_26 = Number(1) / Number(4) * c.u_y_;
-        c.c_27 = Number(7) / Number(30);
-        c.c_28 = Number(1) / Number(20) * c.u_y;
-        c.c_29 = Number(1) / Number(20) * c.u_y_;
-        const Number k_128 = hypot(hypot(k_112, k_111), k_116);
-        const Number k_129 = k_116 * k_116;
+        c.c_24 = Number(7) / Number(20) * c.u_y * k_125;
+        c.c_25 = Number(7) / Number(20) * c.u_y_ * k_125;
+        c.c_26 = Number(1) / Number(2) * k_125;
+        c.c_27 = Number(1) / Number(120);
+        c.c_28 = Number(3) / Number(20) * c.u_y;
+        c.c_29 = Number(3) / Number(20) * c.u_y_;
+        c.c_30 = Number(5) / Number(24) * k_125;
+        c.c_31 = c.c_3 * c.u_y * k_125;
+        c.c_32 = c.c_3 * c.u_y_ * k_125;
+        const Number k_128 = hypot(hypot(k_111, k_110), k_115);
+        const Number k_129 = k_115 * k_115;
         const Number k_130 = hypot(Number(-Number(13) / Number(120)), Number(-Number(11) / Number(120)));
         const Number k_131 = hypot(Number(Number(3) / Number(10)), Number(-Number(1) / Number(10)));
         const Number k_132 = hypot(Number(Number(7) / Number(20)), Number(Number(7) / Number(20)));
-        const Number k_133 = hypot(Number(Number(1) / Number(40)), Number(-Number(7) / Number(120)));
-        const Number k_134 = k_111 * k_111;
-        const Number k_135 = k_115 * k_112;
-        const Number k_136 = k_112 * k_113 * k_129 + k_116 * k_130 * k_115 + k_112 * k_131 * k_129 + k_116 * k_132 * k_115 + k_116 * k_133 * k_115 + k_111 * k_114 * k_115 + c.c_4 * k_112 * k_111 * k_116 + k_111 * k_117 * k_115 + k_111 * k_118 * k_115 + k_112 * k_119 * k_134 + k_112 * k_120 * k_134 + c.c_19 * k_135;
-        const Number k_137 = k_112 * k_116 + k_112 * k_116 * k_119 + k_112 * k_111 + k_112 * k_111 * k_113 + c.eps * k_136 + Number(5) / Number(12) * k_115;
-        c.c_30 = k_128 + resonform::math::number<Number>({7.888609052210118e-31}) - Number(2) * c.eps * k_137;
-        const Number k_138 = Number(1) / Number(4) * k_115;
-        const Number k_139 = hypot(Number(Number(1) / Number(40)), Number(Number(1) / Number(20)));
-        const Number k_140 = k_115 * k_139;
-        const Number k_141 = hypot(Number(Number(1) / Number(40)), Number(-Number(1) / Number(20)));
-        const Number k_142 = k_115 * k_141;
-        const Number k_143 = hypot(Number(Number(1) / Number(480)), Number(Number(1) / Number(160)));
+        const Number k_133 = k_115 * hypot(c.c_6, Number(-Number(7) / Number(120))) * k_114;
+        const Number k_134 = k_110 * k_110;
+        const Number k_135 = k_114 * k_111;
+        const Number k_136 = k_111 * k_112 * k_129 + k_115 * k_130 * k_114 + k_111 * k_131 * k_129 + k_115 * k_132 * k_114 + k_133 + k_110 * k_113 * k_114 + Number(2) / Number(5) * k_111 * k_110 * k_115 + k_110 * k_116 * k_114 + k_110 * k_117 * k_114 + k_111 * k_118 * k_134 + k_111 * k_119 * k_134 + Number(53) / Number(192) * k_135;
+        const Number k_137 = k_111 * k_115 + k_111 * k_115 * k_118 + k_111 * k_110 + k_111 * k_110 * k_112 + c.eps * k_136 + Number(5) / Number(12) * k_114;
+        c.c_33 = k_128 + resonform::math::number<Number>({7.888609052210118e-31}) - Number(2) * c.eps * k_137;
+        const Number k_138 = Number(1) / Number(4) * k_114;
+        const Number k_139 = k_114 * hypot(c.c_6, Number(Number(1) / Number(20)));
+        const Number k_140 = k_114 * hypot(c.c_6, Number(-Number(1) / Number(20)));
+        const Number k_141 = hypot(Number(Number(1) / Number(480)), Number(Number(1) / Number(160)));
+        const Number k_142 = k_135 * k_141;
+        const Number k_143 = hypot(Number(-Number(5) / Number(96)), Number(-Number(5) / Number(96)));
         const Number k_144 = k_135 * k_143;
-        const Number k_145 = hypot(Number(-Number(5) / Number(96)), Number(-Number(5) / Number(96)));
+        const Number k_145 = hypot(Number(-Number(5) / Number(96)), Number(Number(5) / Number(96)));
         const Number k_146 = k_135 * k_145;
-        const Number k_147 = hypot(Number(-Number(5) / Number(96)), Number(Number(5) / Number(96)));
+        const Number k_147 = hypot(Number(Number(1) / Number(480)), Number(-Number(1) / Number(160)));
         const Number k_148 = k_135 * k_147;
-        const Number k_149 = hypot(Number(Number(1) / Number(480)), Number(-Number(1) / Number(160)));
-        const Number k_150 = k_135 * k_149;
-        const Number k_151 = k_116 * k_115 * k_124 + k_144 + Number(1) / Number(10) * k_116 * k_115 + k_146 + k_116 * k_115 * k_123 + k_148 + k_150 + k_111 * k_115 * k_121 + k_111 * k_115 * k_122;
-        const Number k_152 = Number(2) * c.eps * (k_138 + k_140 + k_142 + c.eps * k_151);
-        c.c_31 = k_128 + resonform::math::number<Number>({7.888609052210118e-31}) - k_152;
-        const Number k_153 = k_144 + k_146 + k_148 + k_150 + k_116 * k_115 * k_122 + k_116 * k_115 * k_121 + k_111 * k_115 * k_123 + Number(1) / Number(10) * k_111 * k_115 + k_111 * k_115 * k_124;
-        const Number k_154 = Number(2) * c.eps * (k_138 + k_140 + k_142 + c.eps * k_153);
-        c.c_32 = k_128 + resonform::math::number<Number>({7.888609052210118e-31}) - k_154;
-        const Number k_155 = w.k_2 * w.k_2;
-        w.k_156 = k_155 * k_155;
-        const Number k_157 = Number(91513) / Number(204000) * c.u_x;
-        const Number k_158 = Number(4091) / Number(6800) * c.v_x;
-        const Number k_159 = k_157 + k_158 - Number(263) / Number(1950) * c.u_y - Number(82) / Number(75) * c.u_y_;
-        const Number k_160 = c.u_y_ * (k_157 - k_158 - Number(263) / Number(1950) * c.u_y_);
-        const Number k_161 = c.u_y * k_159 + k_160 + Number(4817) / Number(14400) * w.k_44 + Number(5021) / Number(4800) * w.k_68;
-        const Number k_162 = Number(49) / Number(650) * c.v_x + Number(3) / Number(65) * c.u_y - Number(97) / Number(125) * c.u_y_;
-        const Number k_163 = c.u_y * k_162 + Number(116189) / Number(204000) * w.k_68 - Number(97) / Number(125) * w.k_127;
-        const Number k_164 = Number(116189) / Number(204000) * c.v_x - Number(49) / Number(650) * c.u_y_;
-        const Number k_165 = c.u_x * k_161 + c.u_y * k_163 + c.u_y_ * (c.v_x * k_164 + Number(3) / Number(65) * w.k_127);
-        const Number k_166 = Number(15683) / Number(21600) * c.v_x + Number(20427) / Number(34000) * c.u_y - Number(20427) / Number(34000) * c.u_y_;
-        const Number k_167 = -Number(8) / Number(39) * c.u_y - Number(122) / Number(75) * c.u_y_;
-        const Number k_168 = c.v_x * k_166 + c.u_y * k_167 - Number(8) / Number(39) * w.k_127;
-        const Number k_169 = -Number(7) / Number(195) * c.u_y - Number(29) / Number(125) * c.u_y_;
-        const Number k_170 = c.v_x * k_168 + c.u_y * (c.u_y * k_169 + Number(29) / Number(125) * w.k_127) + Number(7) / Number(195) * (w.k_127 * c.u_y_);
-        const Number k_171 = c.c_15 * c.u_x;
-        w.k_172 = c.c_2 * c.v_x;
-        const Number k_173 = c.u_y * (k_171 + c.c_12 - w.k_172 - c.c_16) + c.u_y_ * (k_171 + w.k_172 - c.c_17) - c.c_18 * w.k_44 - c.c_19 * w.k_68;
-        const Number k_174 = c.eps * (c.u_x * k_165 + c.v_x * k_170) + c.u_x * k_173 + c.v_x * (c.v_x * (c.c_20 + c.c_21) + c.c_22 - c.c_23);
-        const Number k_175 = c.c_5 * c.v_x;
-        w.k_176 = c.eps * k_174 + c.u_x * (-c.c_3 * c.u_x - c.c_11 - c.c_12) + c.v_x * (c.c_14 - k_175 - c.c_13);
-        const Number k_177 = Number(28103) / Number(68000) * c.u_x;
-        const Number k_178 = Number(29867) / Number(40800) * c.v_x;
-        const Number k_179 = c.u_y * (c.c_14 - k_177 - k_178 - Number(2) / Number(195) * c.u_y);
-        const Number k_180 = k_179 + c.u_y_ * (k_178 - k_177 - Number(2) / Number(195) * c.u_y_) - Number(1453) / Number(2400) * w.k_44 - Number(14333) / Number(21600) * w.k_68;
-        w.k_181 = Number(28) / Number(125) * c.u_y_;
-        const Number k_182 = Number(947) / Number(1950) * c.v_x + Number(2) / Number(13) * c.u_y - w.k_181;
-        const Number k_183 = c.u_y * k_182 - Number(3371) / Number(68000) * w.k_68 - Number(28) / Number(125) * w.k_127;
-        const Number k_184 = -Number(3371) / Number(68000) * c.v_x - Number(947) / Number(1950) * c.u_y_;
-        const Number k_185 = c.u_x * k_180 + c.u_y * k_183 + c.u_y_ * (c.v_x * k_184 + Number(2) / Number(13) * w.k_127);
-        const Number k_186 = Number(1) / Number(2) * c.v_x;
-        const Number k_187 = c.u_y * (-c.c_12 - k_171 - k_186 - Number(7) / Number(10) * c.u_y);
-        w.k_188 = c.eps * k_185 + k_187 + c.u_y_ * (k_186 - k_171 - Number(7) / Number(10) * c.u_y_) + Number(367) / Number(960) * w.k_44 + Number(163) / Number(960) * w.k_68;
-        const Number k_189 = Number(379) / Number(1950) * c.u_x + Number(46) / Number(125) * c.u_y_ - Number(4) / Number(39) * c.u_y;
-        const Number k_190 = c.u_y * k_189 - Number(41721) / Number(68000) * w.k_44 - Number(46) / Number(125) * w.k_127;
-        const Number k_191 = Number(41721) / Number(68000) * c.u_x - Number(379) / Number(1950) * c.u_y_;
-        const Number k_192 = c.u_y * k_190 + c.u_y_ * (c.u_x * k_191 + Number(4) / Number(39) * w.k_127);
-        w.k_193 = c.c_6 * c.u_y;
-        w.k_194 = c.c_6 * c.u_y_;
-        w.k_195 = c.eps * k_192 + c.u_x * (w.k_194 - w.k_193) + Number(1) / Number(10) * w.k_127 - Number(1) / Number(10) * k_126;
-        w.k_196 = k_175 + Number(6) / Number(5) * c.u_y - Number(6) / Number(5) * c.u_y_;
+        const Number k_149 = k_115 * k_114 * k_123 + k_142 + c.c_3 * k_115 * k_114 + k_144 + k_115 * k_114 * k_122 + k_146 + k_148 + k_110 * k_114 * k_120 + k_110 * k_114 * k_121;
+        const Number k_150 = Number(2) * c.eps * (k_138 + k_139 + k_140 + c.eps * k_149);
+        c.c_34 = k_128 + resonform::math::number<Number>({7.888609052210118e-31}) - k_150;
+        const Number k_151 = k_142 + k_144 + k_146 + k_148 + k_115 * k_114 * k_121 + k_115 * k_114 * k_120 + k_110 * k_114 * k_122 + c.c_3 * k_110 * k_114 + k_110 * k_114 * k_123;
+        const Number k_152 = Number(2) * c.eps * (k_138 + k_139 + k_140 + c.eps * k_151);
+        c.c_35 = k_128 + resonform::math::number<Number>({7.888609052210118e-31}) - k_152;
+        const Number k_153 = w.k_2 * w.k_2;
+        w.k_154 = k_153 * k_153;
+        const Number k_155 = Number(91513) / Number(204000) * c.u_x;
+        const Number k_156 = Number(4091) / Number(6800) * c.v_x;
+        const Number k_157 = k_155 + k_156 - Number(263) / Number(1950) * c.u_y - Number(82) / Number(75) * c.u_y_;
+        const Number k_158 = c.u_y_ * (k_155 - k_156 - Number(263) / Number(1950) * c.u_y_);
+        const Number k_159 = c.u_y * k_157 + k_158 + Number(4817) / Number(14400) * w.k_44 + Number(5021) / Number(4800) * w.k_67;
+        const Number k_160 = Number(49) / Number(650) * c.v_x + Number(3) / Number(65) * c.u_y - Number(97) / Number(125) * c.u_y_;
+        const Number k_161 = c.u_y * k_160 + Number(116189) / Number(204000) * w.k_67 - Number(97) / Number(125) * w.k_127;
+        const Number k_162 = Number(116189) / Number(204000) * c.v_x - Number(49) / Number(650) * c.u_y_;
+        const Number k_163 = c.u_x * k_159 + c.u_y * k_161 + c.u_y_ * (c.v_x * k_162 + Number(3) / Number(65) * w.k_127);
+        const Number k_164 = Number(15683) / Number(21600) * c.v_x + Number(20427) / Number(34000) * c.u_y - Number(20427) / Number(34000) * c.u_y_;
+        const Number k_165 = -Number(8) / Number(39) * c.u_y - Number(122) / Number(75) * c.u_y_;
+        const Number k_166 = c.v_x * k_164 + c.u_y * k_165 - Number(8) / Number(39) * w.k_127;
+        const Number k_167 = -Number(7) / Number(195) * c.u_y - Number(29) / Number(125) * c.u_y_;
+        const Number k_168 = c.v_x * k_166 + c.u_y * (c.u_y * k_167 + Number(29) / Number(125) * w.k_127) + Number(7) / Number(195) * (w.k_127 * c.u_y_);
+        const Number k_169 = Number(4) / Number(15) * c.u_x;
+        w.k_170 = c.c_2 * c.v_x;
+        const Number k_171 = c.u_y * (k_169 + c.c_11 - w.k_170 - c.c_15) + c.u_y_ * (k_169 + w.k_170 - c.c_16) - Number(197) / Number(960) * w.k_44 - Number(53) / Number(192) * w.k_67;
+        const Number k_172 = Number(13) / Number(30) * c.u_y + Number(13) / Number(30) * c.u_y_;
+        const Number k_173 = c.eps * (c.u_x * k_163 + c.v_x * k_168) + c.u_x * k_171 + c.v_x * (c.v_x * k_172 + c.c_22 - c.c_23);
+        w.k_174 = Number(1) / Number(3) * c.v_x;
+        w.k_175 = c.eps * k_173 + c.u_x * (-Number(1) / Number(6) * c.u_x - c.c_10 - c.c_11) + c.v_x * (c.c_13 - w.k_174 - c.c_12);
+        const Number k_176 = Number(28103) / Number(68000) * c.u_x;
+        const Number k_177 = Number(29867) / Number(40800) * c.v_x;
+        const Number k_178 = c.u_y * (c.c_13 - k_176 - k_177 - Number(2) / Number(195) * c.u_y);
+        const Number k_179 = k_178 + c.u_y_ * (k_177 - k_176 - Number(2) / Number(195) * c.u_y_) - Number(1453) / Number(2400) * w.k_44 - Number(14333) / Number(21600) * w.k_67;
+        w.k_180 = Number(28) / Number(125) * c.u_y_;
+        const Number k_181 = Number(947) / Number(1950) * c.v_x + Number(2) / Number(13) * c.u_y - w.k_180;
+        const Number k_182 = c.u_y * k_181 - Number(3371) / Number(68000) * w.k_67 - Number(28) / Number(125) * w.k_127;
+        const Number k_183 = -Number(3371) / Number(68000) * c.v_x - Number(947) / Number(1950) * c.u_y_;
+        const Number k_184 = c.u_x * k_179 + c.u_y * k_182 + c.u_y_ * (c.v_x * k_183 + Number(2) / Number(13) * w.k_127);
+        const Number k_185 = Number(1) / Number(2) * c.v_x;
+        const Number k_186 = c.u_y * (-c.c_11 - k_169 - k_185 - Number(7) / Number(10) * c.u_y);
+        w.k_187 = c.eps * k_184 + k_186 + c.u_y_ * (k_185 - k_169 - Number(7) / Number(10) * c.u_y_) + Number(367) / Number(960) * w.k_44 + Number(163) / Number(960) * w.k_67;
+        const Number k_188 = Number(379) / Number(1950) * c.u_x + Number(46) / Number(125) * c.u_y_ - Number(4) / Number(39) * c.u_y;
+        const Number k_189 = c.u_y * k_188 - Number(41721) / Number(68000) * w.k_44 - Number(46) / Number(125) * w.k_127;
+        const Number k_190 = Number(41721) / Number(68000) * c.u_x - Number(379) / Number(1950) * c.u_y_;
+        w.k_191 = c.u_y * k_189 + c.u_y_ * (c.u_x * k_190 + Number(4) / Number(39) * w.k_127);
+        w.k_192 = Number(1) / Number(5) * c.u_y;
+        w.k_193 = Number(1) / Number(5) * c.u_y_;
     }
 
     template <class Number> static void compute_constants_3(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        const Number k_197 = c.eps * (c.v_x * w.k_188 + c.u_x * w.k_195) + c.u_x * w.k_196 + c.v_x * (c.c_12 + c.c_11);
-        const Number k_198 = w.k_43 + c.eps * w.k_176;
-        const Number k_199 = w.k_67 + c.eps * k_197;
-        c.c_33 = w.k_11 * w.k_12 + w.k_11 * w.k_13 + w.k_156 + w.k_2 * (w.k_176 * w.k_176) + w.k_2 * (k_197 * k_197) - Number(4) * (k_198 * k_198 + k_199 * k_199);
-        const Number k_200 = Number(56387) / Number(408000) * c.u_x;
-        const Number k_201 = Number(87077) / Number(612000) * c.v_x;
-        const Number k_202 = c.u_x * (k_201 + w.k_193 + Number(113) / Number(975) * c.u_y_ - k_200);
-        const Number k_203 = Number(7867) / Number(48960) * c.v_x;
-        const Number k_204 = c.v_x * (-k_203 - c.c_5 * c.u_y - Number(33) / Number(325) * c.u_y_);
-        const Number k_205 = Number(18) / Number(125) * c.u_y_;
-        const Number k_206 = k_202 + k_204 + c.u_y * (Number(1) / Number(125) * c.u_y + k_205) - Number(12) / Number(325) * w.k_127;
-        const Number k_207 = Number(99277) / Number(612000) * c.v_x;
-        const Number k_208 = c.v_x * (k_207 + c.c_15 * c.u_y + Number(103) / Number(975) * c.u_y_);
-        const Number k_209 = Number(72) / Number(125) * c.u_y_;
-        const Number k_210 = k_208 + c.u_y * (Number(3) / Number(250) * c.u_y - k_209) - Number(59) / Number(650) * w.k_127;
-        const Number k_211 = Number(1) / Number(10) * c.u_x;
+        const Number k_194 = c.eps * w.k_191 + c.u_x * (w.k_193 - w.k_192) + c.c_3 * w.k_127 - c.c_3 * w.k_126;
+        const Number k_195 = w.k_174 + Number(6) / Number(5) * c.u_y - Number(6) / Number(5) * c.u_y_;
+        const Number k_196 = c.eps * (c.v_x * w.k_187 + c.u_x * k_194) + c.u_x * k_195 + c.v_x * (c.c_11 + c.c_10);
+        const Number k_197 = w.k_43 + c.eps * w.k_175;
+        const Number k_198 = w.k_66 + c.eps * k_196;
+        c.c_36 = w.k_11 * w.k_12 + w.k_11 * w.k_13 + w.k_154 + w.k_2 * (w.k_175 * w.k_175) + w.k_2 * (k_196 * k_196) - Number(4) * (k_197 * k_197 + k_198 * k_198);
+        const Number k_199 = Number(56387) / Number(408000) * c.u_x;
+        const Number k_200 = Number(87077) / Number(612000) * c.v_x;
+        const Number k_201 = c.u_x * (k_200 + w.k_192 + Number(113) / Number(975) * c.u_y_ - k_199);
+        const Number k_202 = Number(7867) / Number(48960) * c.v_x;
+        const Number k_203 = -k_202 - Number(1) / Number(3) * c.u_y - Number(33) / Number(325) * c.u_y_;
+        const Number k_204 = Number(18) / Number(125) * c.u_y_;
+        const Number k_205 = k_201 + c.v_x * k_203 + c.u_y * (Number(1) / Number(125) * c.u_y + k_204) - Number(12) / Number(325) * w.k_127;
+        const Number k_206 = Number(99277) / Number(612000) * c.v_x;
+        const Number k_207 = k_206 + Number(4) / Number(15) * c.u_y + Number(103) / Number(975) * c.u_y_;
+        const Number k_208 = Number(72) / Number(125) * c.u_y_;
+        const Number k_209 = c.v_x * k_207 + c.u_y * (Number(3) / Number(250) * c.u_y - k_208) - Number(59) / Number(650) * w.k_127;
+        const Number k_210 = c.c_3 * c.u_x;
+        const Number k_211 = c.u_x * (w.k_170 - w.k_192 - k_210 - Number(1) / Number(20) * c.u_y_);
         const Number k_212 = Number(7) / Number(60) * c.v_x;
-        const Number k_213 = c.eps * (c.u_x * k_206 + c.v_x * k_210) + c.u_x * (w.k_172 - w.k_193 - k_211 - c.c_29) + c.v_x * (w.k_193 + Number(3) / Number(10) * c.u_y_ - k_212);
+        const Number k_213 = c.eps * (c.u_x * k_205 + c.v_x * k_209) + k_211 + c.v_x * (w.k_192 + Number(3) / Number(10) * c.u_y_ - k_212);
         const Number k_214 = Number(3569) / Number(204000) * c.v_x;
         const Number k_215 = -k_214 - Number(37) / Number(90) * c.u_y - Number(121) / Number(650) * c.u_y_;
-        const Number k_216 = c.v_x * k_215 + c.u_y * (-w.k_181 - Number(77) / Number(250) * c.u_y) + Number(89) / Number(650) * w.k_127;
-        const Number k_217 = w.k_193 + c.eps * k_216 + k_212 - Number(3) / Number(20) * c.u_y_;
+        const Number k_216 = c.v_x * k_215 + c.u_y * (-w.k_180 - Number(77) / Number(250) * c.u_y) + Number(89) / Number(650) * w.k_127;
+        const Number k_217 = c.u_x * k_213 + w.k_67 * (w.k_192 + c.eps * k_216 + k_212 - c.c_29);
         const Number k_218 = Number(3) / Number(10) * c.u_x;
-        const Number k_219 = c.c_6 * c.v_x;
-        const Number k_220 = c.eps * (c.u_x * k_213 + w.k_68 * k_217) + c.u_x * (k_218 - k_219) + w.k_109;
-        const Number k_221 = w.k_93 + c.eps * k_220;
-        c.c_34 = w.k_11 * w.k_35 + w.k_156 + w.k_2 * (k_220 * k_220) - Number(4) * (k_221 * k_221);
-        const Number k_222 = c.u_x * (w.k_194 + Number(113) / Number(975) * c.u_y - k_200 - k_201);
-        const Number k_223 = c.v_x * (Number(33) / Number(325) * c.u_y + c.c_5 * c.u_y_ - k_203);
-        const Number k_224 = k_222 + k_223 + c.u_y * (k_205 - Number(12) / Number(325) * c.u_y) + Number(1) / Number(125) * w.k_127;
-        const Number k_225 = c.v_x * (Number(103) / Number(975) * c.u_y + c.c_15 * c.u_y_ - k_207);
-        const Number k_226 = k_225 + c.u_y * (Number(59) / Number(650) * c.u_y + k_209) - Number(3) / Number(250) * w.k_127;
-        const Number k_227 = c.eps * (c.u_x * k_224 + c.v_x * k_226) + c.u_x * (-w.k_172 - k_211 - c.c_28 - w.k_194) + c.v_x * (-k_212 - w.k_194 - Number(3) / Number(10) * c.u_y);
-        const Number k_228 = Number(121) / Number(650) * c.u_y + Number(37) / Number(90) * c.u_y_ - k_214;
-        const Number k_229 = c.v_x * k_228 + c.u_y * (Number(89) / Number(650) * c.u_y - w.k_181) - Number(77) / Number(250) * w.k_127;
-        const Number k_230 = w.k_194 + c.eps * k_229 - k_212 - Number(3) / Number(20) * c.u_y;
-        const Number k_231 = w.k_109 + c.eps * (c.u_x * k_227 + w.k_68 * k_230) + c.u_x * (k_218 + k_219);
-        const Number k_232 = w.k_107 + c.eps * k_231;
-        c.c_35 = w.k_11 * w.k_16 + w.k_156 + w.k_2 * (k_231 * k_231) - Number(4) * (k_232 * k_232);
+        const Number k_219 = Number(1) / Number(5) * c.v_x;
+        const Number k_220 = c.eps * k_217 + c.u_x * (k_218 - k_219) + w.k_108;
+        const Number k_221 = w.k_92 + c.eps * k_220;
+        c.c_37 = w.k_11 * w.k_35 + w.k_154 + w.k_2 * (k_220 * k_220) - Number(4) * (k_221 * k_221);
+        const Number k_222 = c.u_x * (w.k_193 + Number(113) / Number(975) * c.u_y - k_199 - k_200);
+        const Number k_223 = Number(33) / Number(325) * c.u_y + Number(1) / Number(3) * c.u_y_ - k_202;
+        const Number k_224 = k_222 + c.v_x * k_223 + c.u_y * (k_204 - Number(12) / Number(325) * c.u_y) + Number(1) / Number(125) * w.k_127;
+        const Number k_225 = Number(103) / Number(975) * c.u_y + Number(4) / Number(15) * c.u_y_ - k_206;
+        const Number k_226 = c.v_x * k_225 + c.u_y * (Number(59) / Number(650) * c.u_y + k_208) - Number(3) / Number(250) * w.k_127;
+        const Number k_227 = c.u_x * (-w.k_170 - k_210 - Number(1) / Number(20) * c.u_y - w.k_193);
+        const Number k_228 = c.eps * (c.u_x * k_224 + c.v_x * k_226) + k_227 + c.v_x * (-k_212 - w.k_193 - Number(3) / Number(10) * c.u_y);
+        const Number k_229 = Number(121) / Number(650) * c.u_y + Number(37) / Number(90) * c.u_y_ - k_214;
+        const Number k_230 = c.v_x * k_229 + c.u_y * (Number(89) / Number(650) * c.u_y - w.k_180) - Number(77) / Number(250) * w.k_127;
+        const Number k_231 = c.u_x * k_228 + w.k_67 * (w.k_193 + c.eps * k_230 - k_212 - c.c_28);
+        const Number k_232 = w.k_108 + c.eps * k_231 + c.u_x * (k_218 + k_219);
+        const Number k_233 = w.k_106 + c.eps * k_232;
+        c.c_38 = w.k_11 * w.k_16 + w.k_154 + w.k_2 * (k_232 * k_232) - Number(4) * (k_233 * k_233);
     }
 
     template <class Number> static void compute_constants(
@@ -565,47 +572,50 @@ private:
         keep(from.c_1, c.c_1, "c_1");
         keep(from.eps, c.eps, "eps");
         keep(from.c_2, c.c_2, "c_2 in x_3");
-        keep(from.c_3, c.c_3, "c_3 in x");
-        keep(from.c_4, c.c_4, "c_4 in y");
-        keep(from.c_5, c.c_5, "c_5 in x");
         keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_3, c.c_3, "c_3 in y");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_6, c.c_6, "c_6 in y_3");
         keep(from.u_y, c.u_y, "u_y");
         keep(from.u_y_, c.u_y_, "u_y_");
-        keep(from.c_7, c.c_7, "c_7 in theta");
-        keep(from.c_8, c.c_8, "c_8 in chi_1");
-        keep(from.c_9, c.c_9, "c_9");
-        keep(from.c_10, c.c_10, "c_10 in chi_2");
-        keep(from.c_11, c.c_11, "c_11 in x");
-        keep(from.c_12, c.c_12, "c_12 in x_3");
+        keep(from.c_4, c.c_4, "c_4 in theta");
+        keep(from.c_5, c.c_5, "c_5 in chi_1");
+        keep(from.c_6, c.c_6, "c_6 in y_3");
+        keep(from.c_7, c.c_7, "c_7");
+        keep(from.c_8, c.c_8, "c_8 in chi_2");
+        keep(from.c_9, c.c_9, "c_9 in x");
+        keep(from.c_10, c.c_10, "c_10 in x");
+        keep(from.c_11, c.c_11, "c_11 in x_3");
+        keep(from.c_12, c.c_12, "c_12 in x");
         keep(from.c_13, c.c_13, "c_13 in x");
         keep(from.c_14, c.c_14, "c_14 in x");
-        keep(from.c_15, c.c_15, "c_15 in x_3");
+        keep(from.c_15, c.c_15, "c_15 in y_3");
         keep(from.c_16, c.c_16, "c_16 in y_3");
-        keep(from.c_17, c.c_17, "c_17 in y_3");
+        keep(from.c_17, c.c_17, "c_17 in x_3");
         keep(from.c_18, c.c_18, "c_18 in x_3");
         keep(from.c_19, c.c_19, "c_19 in x_3");
         keep(from.c_20, c.c_20, "c_20 in x_3");
         keep(from.c_21, c.c_21, "c_21 in x_3");
         keep(from.c_22, c.c_22, "c_22 in x_3");
         keep(from.c_23, c.c_23, "c_23 in x_3");
-        keep(from.c_24, c.c_24, "c_24 in y");
-        keep(from.c_25, c.c_25, "c_25 in y_3");
-        keep(from.c_26, c.c_26, "c_26 in y_3");
+        keep(from.c_24, c.c_24, "c_24 in x_3");
+        keep(from.c_25, c.c_25, "c_25 in x_3");
+        keep(from.c_26, c.c_26, "c_26 in y");
         keep(from.c_27, c.c_27, "c_27 in y_3");
         keep(from.c_28, c.c_28, "c_28 in y_3");
         keep(from.c_29, c.c_29, "c_29 in y_3");
+        keep(from.c_30, c.c_30, "c_30 in y_3");
+        keep(from.c_31, c.c_31, "c_31 in y_3");
+        keep(from.c_32, c.c_32, "c_32 in y_3");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_30 > From(0))) return {Status::outside_domain, "x"};
-        if (!(from.c_31 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_32 > From(0))) return {Status::outside_domain, "y"};
         if (!(from.c_33 > From(0))) return {Status::outside_domain, "x"};
         if (!(from.c_34 > From(0))) return {Status::outside_domain, "y"};
         if (!(from.c_35 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_36 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_37 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_38 > From(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -642,9 +652,9 @@ private:
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
         Number c_1;
-        Number c_7;
+        Number c_4;
+        Number c_5;
         Number c_8;
-        Number c_10;
     };
 
     template <class Number> struct compute_phase_constants_quantities {
@@ -768,17 +778,17 @@ private:
         const Number u_y_ = w.k_1 * k_8 + eps * k_102;
         const Number k_103 = Number(107) / Number(240) * k_42 + Number(107) / Number(240) * k_65 - Number(4) / Number(5) * u_y * u_y_;
         const Number theta_dot = Number(1) + k_2 * k_103;
-        c.c_7 = w.k_1 * theta_dot;
+        c.c_4 = w.k_1 * theta_dot;
         const Number k_104 = Number(1) / Number(5) * k_65;
         const Number k_105 = Number(1) / Number(5) * k_42;
         const Number chi_1_dot = Number(1) + k_2 * (k_104 + k_105);
-        c.c_8 = w.k_1 * chi_1_dot;
+        c.c_5 = w.k_1 * chi_1_dot;
         w.chi_2_dot = k_2 * (-k_105 - k_104) - Number(1);
     }
 
     template <class Number> static void compute_phase_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, PhaseConstants<Number>& c, compute_phase_constants_quantities<Number>& w) {
-        c.c_10 = w.k_1 * w.chi_2_dot;
+        c.c_8 = w.k_1 * w.chi_2_dot;
     }
 
     template <class Number> static void compute_phase_constants(
@@ -797,9 +807,9 @@ private:
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
             c.c_1 = all.c_1;
-            c.c_7 = all.c_7;
+            c.c_4 = all.c_4;
+            c.c_5 = all.c_5;
             c.c_8 = all.c_8;
-            c.c_10 = all.c_10;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -809,19 +819,19 @@ private:
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_7;
+        return c.c_4;
     }
 
     // dchi_1/dT
     template <class Number, class Some> static Number chi_1_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_8;
+        return c.c_5;
     }
 
     // dchi_2/dT
     template <class Number, class Some> static Number chi_2_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_10;
+        return c.c_8;
     }
 
     // What differs from call to call.
@@ -836,26 +846,28 @@ private:
         const Real q_1 = c.u_x * a.cos_theta;
         const Real q_2 = c.v_x * a.sin_theta;
         const Real re_x = q_1 - q_2;
-        const Real q_3 = c.c_12 * a.exp_chi_2;
+        const Real q_3 = c.c_9 * re_x;
+        const Real q_4 = c.c_11 * a.exp_chi_2;
         const Real im_x = c.u_x * a.sin_theta + c.v_x * a.cos_theta;
-        const Real q_4 = im_x * (c.c_14 * a.exp_chi_2 - c.c_5 * im_x - c.c_13 * a.exp_chi_1);
-        const Real q_5 = c.c_15 * re_x;
+        const Real q_5 = im_x * (c.c_13 * a.exp_chi_2 - c.c_9 * im_x - c.c_12 * a.exp_chi_1);
         const Real q_6 = c.c_2 * im_x;
-        const Real q_7 = c.c_16 * a.exp_chi_1;
-        const Real q_8 = c.c_17 * a.exp_chi_2;
+        const Real q_7 = c.c_15 * a.exp_chi_1;
+        const Real q_8 = c.c_16 * a.exp_chi_2;
         const Real q_9 = re_x * re_x;
         const Real q_10 = im_x * im_x;
-        const Real q_11 = c.u_y * a.exp_chi_1 * (q_5 + q_3 - q_6 - q_7) + c.u_y_ * a.exp_chi_2 * (q_5 + q_6 - q_8) - c.c_18 * q_9 - c.c_19 * q_10;
+        const Real q_11 = c.u_y * a.exp_chi_1 * (q_4 - q_3 - q_6 - q_7) + c.u_y_ * a.exp_chi_2 * (q_6 - q_3 - q_8) + c.c_17 * q_9 - c.c_18 * q_10 - c.c_19;
         const Real q_12 = im_x * (c.c_20 * a.exp_chi_1 + c.c_21 * a.exp_chi_2) + c.c_22 * (a.exp_chi_1 * a.exp_chi_1) - c.c_23 * (a.exp_chi_2 * a.exp_chi_2);
-        const Real x_3 = re_x * q_11 + im_x * q_12;
-        const Real q_13 = re_x * (-c.c_3 * re_x - c.c_11 * a.exp_chi_1 - q_3) + q_4 + c.eps * x_3;
+        const Real x_3 = re_x * q_11 + im_x * q_12 + c.c_24 * a.exp_chi_1 + c.c_25 * a.exp_chi_2;
+        const Real q_13 = re_x * (q_3 - c.c_10 * a.exp_chi_1 - q_4) + q_5 + c.eps * x_3 - c.c_14;
         const Real re_y = c.u_y * a.exp_chi_1;
         const Real re_y_ = c.u_y_ * a.exp_chi_2;
-        const Real q_14 = re_x * (-c.c_6 * re_x - c.c_25 * a.exp_chi_1 - c.c_26 * a.exp_chi_2);
-        const Real y_3 = re_x * (q_14 + im_x * (q_8 - q_7 - c.c_27 * im_x)) + q_10 * (c.c_28 * a.exp_chi_1 + c.c_29 * a.exp_chi_2);
-        const Real q_15 = re_y + re_y_ + c.eps * (c.c_24 * q_9 + c.c_4 * q_10 + c.eps * y_3);
+        const Real q_14 = c.c_28 * a.exp_chi_1;
+        const Real q_15 = c.c_29 * a.exp_chi_2;
+        const Real q_16 = re_x * (c.c_27 * re_x - q_14 - q_15) + im_x * (q_8 - q_7 - c.c_6 * im_x) - c.c_30;
+        const Real y_3 = re_x * q_16 + q_10 * (q_14 + q_15) - c.c_31 * a.exp_chi_1 - c.c_32 * a.exp_chi_2;
+        const Real q_17 = re_y + re_y_ + c.eps * (c.c_3 * q_9 + c.eps * y_3 + c.c_26 - c.c_3 * q_10);
         values.x = c.eps * (q_1 + c.eps * q_13 - q_2);
-        values.y = c.eps * q_15;
+        values.y = c.eps * q_17;
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
@@ -866,7 +878,7 @@ private:
 
     // Whether digits are left.
     static bool precise(const Constants<Real>& c, const Arguments& a) noexcept {
-        return a.exp_chi_1 * c.c_9 <= Real(1);
+        return a.exp_chi_1 * c.c_7 <= Real(1);
     }
 
     // The arguments at t + low.
@@ -927,7 +939,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
-        auto conditions() const { return std::array<Real, 6>{c.c_30, c.c_31, c.c_32, c.c_33, c.c_34, c.c_35}; }
+        auto conditions() const { return std::array<Real, 6>{c.c_33, c.c_34, c.c_35, c.c_36, c.c_37, c.c_38}; }
         template <class Number> struct Angles {
             PhaseConstants<Number> own; // if they are not in Real
             Cause lost;

@@ -5,8 +5,8 @@
 //   system      transition_state
 //   scene       trapped: Onto the stable manifold: a start is projected to where it does not leave the saddle
 //   order       3, normal form and map through weight 4
-//   operations  21 add, 42 multiply, 0 divide, 0 root, 1 sincos, 1 other, 0 tables
-//   written out 86 add, 217 multiply, 57 divide, 0 root, 40 sincos, 0 other, 0 tables
+//   operations  27 add, 41 multiply, 0 divide, 0 root, 1 sincos, 1 other, 0 tables
+//   written out 98 add, 233 multiply, 64 divide, 0 root, 40 sincos, 0 other, 0 tables
 //   many points one by one: no tables of modes that may grow
 //
 // z1 = a1*exp(I*theta)
@@ -175,15 +175,15 @@ private:
         Number c_1;
         Number eps;
         Number c_2;
+        Number u_x;
         Number c_3;
+        Number v_x;
         Number c_4;
         Number c_5;
-        Number u_x;
-        Number v_x;
         Number c_6;
         Number c_7;
-        Number c_8;
         Number u_y_;
+        Number c_8;
         Number c_9;
         Number c_10;
         Number c_11;
@@ -202,6 +202,8 @@ private:
         Number c_24;
         Number c_25;
         Number c_26;
+        Number c_27;
+        Number c_28;
     };
 
     template <class Number> struct compute_constants_quantities {
@@ -219,35 +221,37 @@ private:
         Number k_37;
         Number k_42;
         Number k_43;
+        Number k_65;
         Number k_66;
-        Number k_67;
+        Number k_68;
         Number k_69;
         Number k_70;
         Number k_71;
-        Number k_72;
-        Number k_74;
-        Number k_76;
-        Number k_79;
-        Number k_81;
+        Number k_73;
+        Number k_75;
+        Number k_78;
+        Number k_80;
+        Number k_82;
         Number k_83;
-        Number k_84;
-        Number k_88;
+        Number k_87;
+        Number k_91;
         Number k_92;
-        Number k_93;
+        Number k_94;
         Number k_95;
         Number k_109;
         Number k_110;
-        Number k_152;
-        Number k_159;
-        Number k_170;
-        Number k_183;
-        Number k_195;
-        Number k_196;
+        Number k_149;
+        Number k_156;
+        Number k_167;
+        Number k_180;
+        Number k_192;
+        Number k_193;
+        Number k_199;
+        Number k_200;
+        Number k_201;
         Number k_202;
         Number k_203;
         Number k_204;
-        Number k_205;
-        Number k_206;
     };
 
     template <class Number> static void compute_constants_1(
@@ -295,15 +299,12 @@ private:
         w.k_34 = w.k_5 * w.k_5;
         const Number k_35 = Number(3) / Number(10) * w.k_11 * w.k_16 - w.x_dot_0 * w.k_1 * k_33 - Number(3) / Number(10) * w.k_11 * w.k_34;
         const Number k_36 = c.eps * (w.x_0 * w.k_1 * k_20 - k_27) + w.x_0 * w.k_1 * k_32 - w.x_dot_0 * w.k_1 * k_35;
-        c.c_3 = Number(1) / Number(6);
-        c.c_4 = Number(2) / Number(5);
-        w.k_37 = c.c_4 * w.k_1 * w.k_5;
-        const Number k_38 = c.c_4 * w.k_1 * w.k_8;
-        c.c_5 = Number(1) / Number(3);
-        const Number k_39 = c.c_5 * w.x_dot_0 * w.k_1;
-        const Number k_40 = Number(4) / Number(5) * w.k_1 * w.k_5 - k_39 - Number(4) / Number(5) * w.k_1 * w.k_8;
-        const Number k_41 = c.eps * k_36 + w.x_0 * w.k_1 * (c.c_3 * w.x_0 * w.k_1 + w.k_37 + k_38) - w.x_dot_0 * w.k_1 * k_40;
-        w.k_42 = c.eps * k_41;
+        w.k_37 = Number(2) / Number(5) * w.k_1 * w.k_5;
+        const Number k_38 = Number(2) / Number(5) * w.k_1 * w.k_8;
+        const Number k_39 = w.x_0 * w.k_1 * (Number(1) / Number(6) * w.x_0 * w.k_1 + w.k_37 + k_38);
+        const Number k_40 = Number(1) / Number(3) * w.x_dot_0 * w.k_1;
+        const Number k_41 = Number(4) / Number(5) * w.k_1 * w.k_5 - k_40 - Number(4) / Number(5) * w.k_1 * w.k_8;
+        w.k_42 = c.eps * (c.eps * k_36 + k_39 - w.x_dot_0 * w.k_1 * k_41);
         c.u_x = w.x_0 * w.k_1 + w.k_42;
         w.k_43 = c.u_x * c.u_x;
         const Number k_44 = Number(184927) / Number(612000) * w.x_0 * w.k_1;
@@ -316,221 +317,224 @@ private:
         const Number k_51 = -Number(18749) / Number(204000) * w.x_dot_0 * w.k_1 - Number(613) / Number(1950) * w.k_1 * w.k_8;
         const Number k_52 = Number(3) / Number(65) * w.k_11 * w.k_16 - w.x_dot_0 * w.k_1 * k_51;
         const Number k_53 = w.x_0 * w.k_1 * k_48 + w.k_1 * w.k_5 * k_50 + w.k_1 * w.k_8 * k_52;
-        const Number k_54 = c.c_4 * w.x_0 * w.k_1;
-        const Number k_55 = c.c_3 * w.x_dot_0 * w.k_1;
-        const Number k_56 = k_54 + k_55 + Number(66) / Number(25) * w.k_1 * w.k_8 - Number(1) / Number(10) * w.k_1 * w.k_5;
-        const Number k_57 = w.k_1 * w.k_8 * (k_54 - k_55 - Number(1) / Number(10) * w.k_1 * w.k_8);
-        const Number k_58 = c.eps * k_53 + w.k_1 * w.k_5 * k_56 + k_57 - Number(8161) / Number(14400) * w.k_11 * w.k_12 - Number(1741) / Number(14400) * w.k_11 * w.k_13;
-        const Number k_59 = Number(4) / Number(39) * w.k_1 * w.k_5 - Number(227) / Number(780) * w.x_0 * w.k_1 - Number(382) / Number(125) * w.k_1 * w.k_8;
-        const Number k_60 = w.k_1 * w.k_5 * k_59 + Number(223457) / Number(204000) * w.k_11 * w.k_12 + Number(382) / Number(125) * w.k_11 * w.k_16;
-        const Number k_61 = Number(227) / Number(780) * w.k_1 * w.k_8 - Number(223457) / Number(204000) * w.x_0 * w.k_1;
-        const Number k_62 = w.x_0 * w.k_1 * k_61 - Number(4) / Number(39) * w.k_11 * w.k_16;
-        const Number k_63 = c.eps * (w.k_1 * w.k_5 * k_60 + w.k_1 * w.k_8 * k_62) + w.x_0 * w.k_1 * (w.k_37 - k_38) + Number(1) / Number(10) * w.k_11 * w.k_34 - Number(1) / Number(10) * w.k_11 * w.k_16;
-        const Number k_64 = k_39 + Number(6) / Number(5) * w.k_1 * w.k_8 - Number(6) / Number(5) * w.k_1 * w.k_5;
-        const Number k_65 = c.eps * (w.x_0 * w.k_1 * k_63 - w.x_dot_0 * w.k_1 * k_58) + w.x_0 * w.k_1 * k_64 - w.x_dot_0 * w.k_1 * (-k_38 - w.k_37);
-        w.k_66 = c.eps * k_65;
-        c.v_x = w.k_66 - w.x_dot_0 * w.k_1;
-        w.k_67 = c.v_x * c.v_x;
-        const Number k_68 = Number(107) / Number(240) * w.k_43 + Number(107) / Number(240) * w.k_67;
-        const Number theta_dot = Number(1) + w.k_2 * k_68;
-        c.c_6 = w.k_1 * theta_dot;
-        c.c_7 = Number(1) / Number(5);
-        w.k_69 = c.c_7 * w.k_67;
-        const Number chi_dot = w.k_2 * (-c.c_7 * w.k_43 - w.k_69) - Number(1);
-        c.c_8 = w.k_1 * chi_dot;
-        w.k_70 = c.c_7 * w.k_11 * w.k_13;
-        w.k_71 = Number(1571) / Number(17000) * w.x_0 * w.k_1;
-        w.k_72 = Number(351) / Number(4250) * w.x_dot_0 * w.k_1;
-        const Number k_73 = w.k_71 + Number(8) / Number(75) * w.k_1 * w.k_8 - w.k_72 - Number(129) / Number(1300) * w.k_1 * w.k_5;
-        w.k_74 = Number(139) / Number(850) * w.x_dot_0 * w.k_1;
-        const Number k_75 = -w.k_74 - Number(197) / Number(1300) * w.k_1 * w.k_5 - Number(11) / Number(30) * w.k_1 * w.k_8;
-        w.k_76 = Number(56) / Number(125) * w.k_1 * w.k_8;
-        const Number k_77 = w.k_1 * w.k_5 * (-w.k_76 - Number(8) / Number(65) * w.k_1 * w.k_5);
-        const Number k_78 = w.x_0 * w.k_1 * k_73 + k_77 + c.c_4 * w.k_11 * w.k_16 - w.x_dot_0 * w.k_1 * k_75;
-        w.k_79 = Number(56) / Number(325) * w.x_dot_0 * w.k_1;
-        const Number k_80 = w.k_79 - Number(3) / Number(13) * w.k_1 * w.k_5 - Number(89) / Number(125) * w.k_1 * w.k_8;
-        w.k_81 = Number(88) / Number(2125) * w.k_11 * w.k_13;
-        const Number k_82 = w.k_1 * w.k_5 * k_80 + w.k_81 - Number(4) / Number(25) * w.k_11 * w.k_16;
-        w.k_83 = Number(1) / Number(20) * w.x_dot_0 * w.k_1;
-        w.k_84 = Number(1) / Number(10) * w.x_0 * w.k_1;
-        const Number k_85 = w.k_84 + Number(3) / Number(10) * w.k_1 * w.k_5 + c.c_7 * w.k_1 * w.k_8 - w.k_83;
-        const Number k_86 = Number(1) / Number(20) * w.k_1 * w.k_5 - Number(7) / Number(25) * w.k_1 * w.k_8;
-        const Number k_87 = c.eps * (w.x_0 * w.k_1 * k_78 - w.x_dot_0 * w.k_1 * k_82) + w.x_0 * w.k_1 * k_86 - w.x_dot_0 * w.k_1 * k_85;
-        w.k_88 = Number(173) / Number(2125) * w.x_dot_0 * w.k_1;
-        const Number k_89 = -w.k_88 - Number(28) / Number(325) * w.k_1 * w.k_5 - Number(31) / Number(90) * w.k_1 * w.k_8;
-        const Number k_90 = -Number(1) / Number(13) * w.k_1 * w.k_5 - Number(69) / Number(125) * w.k_1 * w.k_8;
-        const Number k_91 = c.eps * (w.k_1 * w.k_5 * k_90 - w.x_dot_0 * w.k_1 * k_89) + Number(3) / Number(20) * w.k_1 * w.k_5 + Number(3) / Number(25) * w.k_1 * w.k_8 - w.k_83;
-        w.k_92 = Number(3) / Number(10) * w.x_0 * w.k_1;
-        w.k_93 = c.c_7 * w.x_dot_0 * w.k_1;
-        const Number k_94 = c.eps * (w.x_0 * w.k_1 * k_87 + w.k_11 * w.k_13 * k_91) + w.x_0 * w.k_1 * (w.k_93 - w.k_92) - w.k_70;
-        w.k_95 = c.eps * k_94;
-        c.u_y_ = w.k_1 * w.k_8 + w.k_95;
-        c.c_9 = c.c_4 * c.u_y_;
-        c.c_10 = Number(4) / Number(5) * c.u_y_;
-        c.c_11 = Number(4) / Number(15);
-        c.c_12 = Number(1) / Number(10) * c.u_y_;
-        c.c_13 = Number(197) / Number(960);
-        c.c_14 = Number(53) / Number(192);
-        c.c_15 = Number(13) / Number(30);
+        const Number k_54 = Number(2) / Number(5) * w.x_0 * w.k_1;
+        const Number k_55 = Number(1) / Number(6) * w.x_dot_0 * w.k_1;
+        c.c_3 = Number(1) / Number(10);
+        const Number k_56 = k_54 + k_55 + Number(66) / Number(25) * w.k_1 * w.k_8 - c.c_3 * w.k_1 * w.k_5;
+        const Number k_57 = c.eps * k_53 + w.k_1 * w.k_5 * k_56 + w.k_1 * w.k_8 * (k_54 - k_55 - c.c_3 * w.k_1 * w.k_8) - Number(8161) / Number(14400) * w.k_11 * w.k_12 - Number(1741) / Number(14400) * w.k_11 * w.k_13;
+        const Number k_58 = Number(4) / Number(39) * w.k_1 * w.k_5 - Number(227) / Number(780) * w.x_0 * w.k_1 - Number(382) / Number(125) * w.k_1 * w.k_8;
+        const Number k_59 = w.k_1 * w.k_5 * k_58 + Number(223457) / Number(204000) * w.k_11 * w.k_12 + Number(382) / Number(125) * w.k_11 * w.k_16;
+        const Number k_60 = Number(227) / Number(780) * w.k_1 * w.k_8 - Number(223457) / Number(204000) * w.x_0 * w.k_1;
+        const Number k_61 = w.x_0 * w.k_1 * k_60 - Number(4) / Number(39) * w.k_11 * w.k_16;
+        const Number k_62 = c.eps * (w.k_1 * w.k_5 * k_59 + w.k_1 * w.k_8 * k_61) + w.x_0 * w.k_1 * (w.k_37 - k_38) + c.c_3 * w.k_11 * w.k_34 - c.c_3 * w.k_11 * w.k_16;
+        const Number k_63 = k_40 + Number(6) / Number(5) * w.k_1 * w.k_8 - Number(6) / Number(5) * w.k_1 * w.k_5;
+        const Number k_64 = c.eps * (w.x_0 * w.k_1 * k_62 - w.x_dot_0 * w.k_1 * k_57) + w.x_0 * w.k_1 * k_63 - w.x_dot_0 * w.k_1 * (-k_38 - w.k_37);
+        w.k_65 = c.eps * k_64;
+        c.v_x = w.k_65 - w.x_dot_0 * w.k_1;
+        w.k_66 = c.v_x * c.v_x;
+        const Number k_67 = Number(107) / Number(240) * w.k_43 + Number(107) / Number(240) * w.k_66;
+        const Number theta_dot = Number(1) + w.k_2 * k_67;
+        c.c_4 = w.k_1 * theta_dot;
+        w.k_68 = Number(1) / Number(5) * w.k_66;
+        const Number chi_dot = w.k_2 * (-Number(1) / Number(5) * w.k_43 - w.k_68) - Number(1);
+        c.c_5 = w.k_1 * chi_dot;
+        c.c_6 = Number(1) / Number(12);
+        w.k_69 = Number(1) / Number(5) * w.k_11 * w.k_13;
+        w.k_70 = Number(1571) / Number(17000) * w.x_0 * w.k_1;
+        w.k_71 = Number(351) / Number(4250) * w.x_dot_0 * w.k_1;
+        const Number k_72 = w.k_70 + Number(8) / Number(75) * w.k_1 * w.k_8 - w.k_71 - Number(129) / Number(1300) * w.k_1 * w.k_5;
+        w.k_73 = Number(139) / Number(850) * w.x_dot_0 * w.k_1;
+        const Number k_74 = -w.k_73 - Number(197) / Number(1300) * w.k_1 * w.k_5 - Number(11) / Number(30) * w.k_1 * w.k_8;
+        w.k_75 = Number(56) / Number(125) * w.k_1 * w.k_8;
+        const Number k_76 = w.k_1 * w.k_5 * (-w.k_75 - Number(8) / Number(65) * w.k_1 * w.k_5);
+        const Number k_77 = w.x_0 * w.k_1 * k_72 + k_76 + Number(2) / Number(5) * w.k_11 * w.k_16 - w.x_dot_0 * w.k_1 * k_74;
+        w.k_78 = Number(56) / Number(325) * w.x_dot_0 * w.k_1;
+        const Number k_79 = w.k_78 - Number(3) / Number(13) * w.k_1 * w.k_5 - Number(89) / Number(125) * w.k_1 * w.k_8;
+        w.k_80 = Number(88) / Number(2125) * w.k_11 * w.k_13;
+        const Number k_81 = w.k_1 * w.k_5 * k_79 + w.k_80 - Number(4) / Number(25) * w.k_11 * w.k_16;
+        w.k_82 = Number(1) / Number(20) * w.x_dot_0 * w.k_1;
+        w.k_83 = c.c_3 * w.x_0 * w.k_1;
+        const Number k_84 = w.k_83 + Number(3) / Number(10) * w.k_1 * w.k_5 + Number(1) / Number(5) * w.k_1 * w.k_8 - w.k_82;
+        const Number k_85 = Number(1) / Number(20) * w.k_1 * w.k_5 - Number(7) / Number(25) * w.k_1 * w.k_8;
+        const Number k_86 = c.eps * (w.x_0 * w.k_1 * k_77 - w.x_dot_0 * w.k_1 * k_81) + w.x_0 * w.k_1 * k_85 - w.x_dot_0 * w.k_1 * k_84;
+        w.k_87 = Number(173) / Number(2125) * w.x_dot_0 * w.k_1;
+        const Number k_88 = -w.k_87 - Number(28) / Number(325) * w.k_1 * w.k_5 - Number(31) / Number(90) * w.k_1 * w.k_8;
+        const Number k_89 = -Number(1) / Number(13) * w.k_1 * w.k_5 - Number(69) / Number(125) * w.k_1 * w.k_8;
+        c.c_7 = Number(3) / Number(20);
+        const Number k_90 = c.eps * (w.k_1 * w.k_5 * k_89 - w.x_dot_0 * w.k_1 * k_88) + c.c_7 * w.k_1 * w.k_5 + Number(3) / Number(25) * w.k_1 * w.k_8 - w.k_82;
+        w.k_91 = Number(3) / Number(10) * w.x_0 * w.k_1;
+        w.k_92 = Number(1) / Number(5) * w.x_dot_0 * w.k_1;
+        const Number k_93 = c.eps * (w.x_0 * w.k_1 * k_86 + w.k_11 * w.k_13 * k_90) + w.x_0 * w.k_1 * (w.k_92 - w.k_91) - w.k_69;
+        w.k_94 = c.eps * k_93;
+        c.u_y_ = w.k_1 * w.k_8 + w.k_94;
+        c.c_8 = Number(2) / Number(5) * c.u_y_;
+        c.c_9 = Number(4) / Number(5) * c.u_y_;
+        w.k_95 = w.k_43 + w.k_66;
+        c.c_10 = Number(1) / Number(4) * w.k_95;
+        c.c_11 = c.c_3 * c.u_y_;
+        c.c_12 = Number(17) / Number(960);
+        c.c_13 = Number(17) / Number(320);
+        c.c_14 = Number(107) / Number(480) * w.k_95;
+        c.c_15 = Number(3) / Number(10) * c.u_y_;
     }
 
     template <class Number> static void compute_constants_2(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        c.c_16 = Number(3) / Number(10) * c.u_y_;
-        c.c_17 = Number(3) / Number(5);
-        c.c_18 = Number(1) / Number(4) * c.u_y_;
-        c.c_19 = Number(7) / Number(30);
-        c.c_20 = Number(1) / Number(20) * c.u_y_;
+        c.c_16 = Number(7) / Number(20) * w.k_95;
+        c.c_17 = Number(1) / Number(2) * w.k_95;
+        c.c_18 = Number(1) / Number(120);
+        c.c_19 = c.c_7 * c.u_y_;
+        c.c_20 = Number(1) / Number(40);
+        c.c_21 = Number(5) / Number(24) * w.k_95;
+        c.c_22 = c.c_3 * w.k_95;
         const Number k_96 = hypot(c.u_x, c.v_x);
-        const Number k_97 = w.k_71 + w.k_72 + Number(8) / Number(75) * w.k_1 * w.k_5 - Number(129) / Number(1300) * w.k_1 * w.k_8;
-        const Number k_98 = Number(11) / Number(30) * w.k_1 * w.k_5 + Number(197) / Number(1300) * w.k_1 * w.k_8 - w.k_74;
-        const Number k_99 = w.x_0 * w.k_1 * k_97 + w.k_1 * w.k_5 * (w.k_37 - w.k_76) - w.x_dot_0 * w.k_1 * k_98 - Number(8) / Number(65) * w.k_11 * w.k_16;
-        const Number k_100 = w.k_79 + Number(89) / Number(125) * w.k_1 * w.k_5 + Number(3) / Number(13) * w.k_1 * w.k_8;
-        const Number k_101 = w.k_1 * w.k_8 * k_100 + Number(4) / Number(25) * w.k_11 * w.k_34 - w.k_81;
-        const Number k_102 = -w.k_84 - w.k_83 - c.c_7 * w.k_1 * w.k_5 - Number(3) / Number(10) * w.k_1 * w.k_8;
+        const Number k_97 = w.k_70 + w.k_71 + Number(8) / Number(75) * w.k_1 * w.k_5 - Number(129) / Number(1300) * w.k_1 * w.k_8;
+        const Number k_98 = Number(11) / Number(30) * w.k_1 * w.k_5 + Number(197) / Number(1300) * w.k_1 * w.k_8 - w.k_73;
+        const Number k_99 = w.x_0 * w.k_1 * k_97 + w.k_1 * w.k_5 * (w.k_37 - w.k_75) - w.x_dot_0 * w.k_1 * k_98 - Number(8) / Number(65) * w.k_11 * w.k_16;
+        const Number k_100 = w.k_78 + Number(89) / Number(125) * w.k_1 * w.k_5 + Number(3) / Number(13) * w.k_1 * w.k_8;
+        const Number k_101 = w.k_1 * w.k_8 * k_100 + Number(4) / Number(25) * w.k_11 * w.k_34 - w.k_80;
+        const Number k_102 = -w.k_83 - w.k_82 - Number(1) / Number(5) * w.k_1 * w.k_5 - Number(3) / Number(10) * w.k_1 * w.k_8;
         const Number k_103 = Number(1) / Number(20) * w.k_1 * w.k_8 - Number(7) / Number(25) * w.k_1 * w.k_5;
         const Number k_104 = c.eps * (w.x_0 * w.k_1 * k_99 - w.x_dot_0 * w.k_1 * k_101) + w.x_0 * w.k_1 * k_103 - w.x_dot_0 * w.k_1 * k_102;
-        const Number k_105 = Number(31) / Number(90) * w.k_1 * w.k_5 + Number(28) / Number(325) * w.k_1 * w.k_8 - w.k_88;
+        const Number k_105 = Number(31) / Number(90) * w.k_1 * w.k_5 + Number(28) / Number(325) * w.k_1 * w.k_8 - w.k_87;
         const Number k_106 = -Number(69) / Number(125) * w.k_1 * w.k_5 - Number(1) / Number(13) * w.k_1 * w.k_8;
-        const Number k_107 = c.eps * (w.k_1 * w.k_8 * k_106 - w.x_dot_0 * w.k_1 * k_105) + w.k_83 + Number(3) / Number(25) * w.k_1 * w.k_5 + Number(3) / Number(20) * w.k_1 * w.k_8;
-        const Number k_108 = c.eps * (w.x_0 * w.k_1 * k_104 + w.k_11 * w.k_13 * k_107) + w.x_0 * w.k_1 * (-w.k_92 - w.k_93) - w.k_70;
+        const Number k_107 = c.eps * (w.k_1 * w.k_8 * k_106 - w.x_dot_0 * w.k_1 * k_105) + w.k_82 + Number(3) / Number(25) * w.k_1 * w.k_5 + c.c_7 * w.k_1 * w.k_8;
+        const Number k_108 = c.eps * (w.x_0 * w.k_1 * k_104 + w.k_11 * w.k_13 * k_107) + w.x_0 * w.k_1 * (-w.k_91 - w.k_92) - w.k_69;
         w.k_109 = c.eps * k_108;
         w.k_110 = w.k_1 * w.k_5 + w.k_109;
         const Number k_111 = magnitude(w.k_110);
         const Number k_112 = magnitude(c.u_y_);
         const Number k_113 = hypot(hypot(k_96, k_111), k_112);
         const Number k_114 = hypot(Number(-Number(2) / Number(5)), Number(-Number(1) / Number(5)));
-        const Number k_115 = hypot(Number(-Number(2) / Number(5)), c.c_7);
+        const Number k_115 = hypot(Number(-Number(2) / Number(5)), Number(Number(1) / Number(5)));
         const Number k_116 = k_112 * k_112;
         const Number k_117 = hypot(Number(-Number(13) / Number(120)), Number(-Number(11) / Number(120)));
         const Number k_118 = k_96 * k_96;
         const Number k_119 = hypot(Number(Number(3) / Number(10)), Number(-Number(1) / Number(10)));
         const Number k_120 = hypot(Number(Number(7) / Number(20)), Number(Number(7) / Number(20)));
-        const Number k_121 = hypot(Number(Number(1) / Number(40)), Number(-Number(7) / Number(120)));
+        const Number k_121 = k_112 * hypot(c.c_20, Number(-Number(7) / Number(120))) * k_118;
         const Number k_122 = hypot(Number(-Number(13) / Number(120)), Number(Number(11) / Number(120)));
         const Number k_123 = hypot(Number(Number(7) / Number(20)), Number(-Number(7) / Number(20)));
-        const Number k_124 = hypot(Number(Number(1) / Number(40)), Number(Number(7) / Number(120)));
+        const Number k_124 = k_111 * hypot(c.c_20, Number(Number(7) / Number(120))) * k_118;
         const Number k_125 = k_111 * k_111;
-        const Number k_126 = hypot(Number(Number(3) / Number(10)), Number(Number(1) / Number(10)));
-        const Number k_127 = k_118 * k_96;
-        const Number k_128 = k_96 * k_115 * k_116 + k_112 * k_117 * k_118 + k_96 * k_119 * k_116 + k_112 * k_120 * k_118 + k_112 * k_121 * k_118 + k_111 * k_122 * k_118 + c.c_4 * k_96 * k_111 * k_112 + k_111 * k_123 * k_118 + k_111 * k_124 * k_118 + k_96 * k_114 * k_125 + k_96 * k_126 * k_125 + c.c_14 * k_127;
-        const Number k_129 = k_96 * k_112 + k_96 * k_112 * k_114 + k_96 * k_111 + k_96 * k_111 * k_115 + c.eps * k_128 + Number(5) / Number(12) * k_118;
-        c.c_21 = k_113 + resonform::math::number<Number>({7.888609052210118e-31}) - Number(2) * c.eps * k_129;
-        const Number k_130 = Number(1) / Number(4) * k_118;
-        const Number k_131 = hypot(Number(Number(1) / Number(40)), Number(Number(1) / Number(20)));
-        const Number k_132 = k_118 * k_131;
-        const Number k_133 = hypot(Number(Number(1) / Number(40)), Number(-Number(1) / Number(20)));
-        const Number k_134 = k_118 * k_133;
-        const Number k_135 = hypot(Number(Number(1) / Number(40)), Number(-Number(3) / Number(40)));
-        const Number k_136 = hypot(Number(Number(1) / Number(480)), Number(Number(1) / Number(160)));
-        const Number k_137 = k_127 * k_136;
-        const Number k_138 = hypot(Number(-Number(5) / Number(96)), Number(-Number(5) / Number(96)));
-        const Number k_139 = k_127 * k_138;
-        const Number k_140 = hypot(Number(Number(1) / Number(40)), Number(Number(3) / Number(40)));
-        const Number k_141 = hypot(Number(-Number(5) / Number(96)), Number(Number(5) / Number(96)));
-        const Number k_142 = k_127 * k_141;
-        const Number k_143 = hypot(Number(Number(1) / Number(480)), Number(-Number(1) / Number(160)));
-        const Number k_144 = k_127 * k_143;
-        const Number k_145 = hypot(Number(-Number(1) / Number(10)), Number(-Number(1) / Number(20)));
-        const Number k_146 = hypot(Number(-Number(1) / Number(10)), Number(Number(1) / Number(20)));
-        const Number k_147 = k_112 * k_118 * k_135 + k_137 + Number(1) / Number(10) * k_112 * k_118 + k_139 + k_112 * k_118 * k_140 + k_142 + k_144 + k_111 * k_118 * k_145 + k_111 * k_118 * k_146;
-        const Number k_148 = Number(2) * c.eps * (k_130 + k_132 + k_134 + c.eps * k_147);
-        c.c_22 = k_113 + resonform::math::number<Number>({7.888609052210118e-31}) - k_148;
-        const Number k_149 = k_137 + k_139 + k_142 + k_144 + k_112 * k_118 * k_146 + k_112 * k_118 * k_145 + k_111 * k_118 * k_140 + Number(1) / Number(10) * k_111 * k_118 + k_111 * k_118 * k_135;
-        const Number k_150 = Number(2) * c.eps * (k_130 + k_132 + k_134 + c.eps * k_149);
-        c.c_23 = k_113 + resonform::math::number<Number>({7.888609052210118e-31}) - k_150;
-        const Number k_151 = w.k_2 * w.k_2;
-        w.k_152 = k_151 * k_151;
-        const Number k_153 = Number(91513) / Number(204000) * c.u_x;
-        const Number k_154 = Number(4091) / Number(6800) * c.v_x;
-        const Number k_155 = k_153 + k_154 - Number(263) / Number(1950) * w.k_110 - Number(82) / Number(75) * c.u_y_;
-        const Number k_156 = c.u_y_ * (k_153 - k_154 - Number(263) / Number(1950) * c.u_y_);
-        const Number k_157 = w.k_110 * k_155 + k_156 + Number(4817) / Number(14400) * w.k_43 + Number(5021) / Number(4800) * w.k_67;
-        const Number k_158 = Number(49) / Number(650) * c.v_x + Number(3) / Number(65) * w.k_110 - Number(97) / Number(125) * c.u_y_;
-        w.k_159 = c.u_y_ * c.u_y_;
-        const Number k_160 = w.k_110 * k_158 + Number(116189) / Number(204000) * w.k_67 - Number(97) / Number(125) * w.k_159;
-        const Number k_161 = Number(116189) / Number(204000) * c.v_x - Number(49) / Number(650) * c.u_y_;
-        const Number k_162 = c.u_x * k_157 + w.k_110 * k_160 + c.u_y_ * (c.v_x * k_161 + Number(3) / Number(65) * w.k_159);
-        const Number k_163 = Number(15683) / Number(21600) * c.v_x + Number(20427) / Number(34000) * w.k_110 - Number(20427) / Number(34000) * c.u_y_;
-        const Number k_164 = -Number(8) / Number(39) * w.k_110 - Number(122) / Number(75) * c.u_y_;
-        const Number k_165 = c.v_x * k_163 + w.k_110 * k_164 - Number(8) / Number(39) * w.k_159;
-        const Number k_166 = -Number(7) / Number(195) * w.k_110 - Number(29) / Number(125) * c.u_y_;
-        const Number k_167 = w.k_110 * (w.k_110 * k_166 + Number(29) / Number(125) * w.k_159);
-        const Number k_168 = c.v_x * k_165 + k_167 + Number(7) / Number(195) * (w.k_159 * c.u_y_);
-        const Number k_169 = c.c_11 * c.u_x;
-        w.k_170 = c.c_2 * c.v_x;
-        const Number k_171 = w.k_110 * (k_169 + c.c_9 - w.k_170 - Number(1) / Number(10) * w.k_110);
-        const Number k_172 = k_171 + c.u_y_ * (k_169 + w.k_170 - c.c_12) - c.c_13 * w.k_43 - c.c_14 * w.k_67;
-        const Number k_173 = w.k_110 * w.k_110;
-        const Number k_174 = c.v_x * (c.c_15 * w.k_110 + c.c_15 * c.u_y_) + Number(3) / Number(10) * k_173 - Number(3) / Number(10) * w.k_159;
-        const Number k_175 = c.eps * (c.u_x * k_162 + c.v_x * k_168) + c.u_x * k_172 + c.v_x * k_174;
-        const Number k_176 = c.c_4 * w.k_110;
-        const Number k_177 = c.c_5 * c.v_x;
-        const Number k_178 = c.eps * k_175 + c.u_x * (-c.c_3 * c.u_x - k_176 - c.c_9) + c.v_x * (c.c_10 - k_177 - Number(4) / Number(5) * w.k_110);
-        const Number k_179 = Number(28103) / Number(68000) * c.u_x;
-        const Number k_180 = Number(29867) / Number(40800) * c.v_x;
-        const Number k_181 = w.k_110 * (c.c_10 - k_179 - k_180 - Number(2) / Number(195) * w.k_110);
-        const Number k_182 = k_181 + c.u_y_ * (k_180 - k_179 - Number(2) / Number(195) * c.u_y_) - Number(1453) / Number(2400) * w.k_43 - Number(14333) / Number(21600) * w.k_67;
-        w.k_183 = Number(28) / Number(125) * c.u_y_;
-        const Number k_184 = Number(947) / Number(1950) * c.v_x + Number(2) / Number(13) * w.k_110 - w.k_183;
-        const Number k_185 = w.k_110 * k_184 - Number(3371) / Number(68000) * w.k_67 - Number(28) / Number(125) * w.k_159;
-        const Number k_186 = -Number(3371) / Number(68000) * c.v_x - Number(947) / Number(1950) * c.u_y_;
-        const Number k_187 = c.u_x * k_182 + w.k_110 * k_185 + c.u_y_ * (c.v_x * k_186 + Number(2) / Number(13) * w.k_159);
-        const Number k_188 = Number(1) / Number(2) * c.v_x;
-        const Number k_189 = w.k_110 * (-c.c_9 - k_169 - k_188 - Number(7) / Number(10) * w.k_110);
-        const Number k_190 = c.eps * k_187 + k_189 + c.u_y_ * (k_188 - k_169 - Number(7) / Number(10) * c.u_y_) + Number(367) / Number(960) * w.k_43 + Number(163) / Number(960) * w.k_67;
-        const Number k_191 = Number(379) / Number(1950) * c.u_x + Number(46) / Number(125) * c.u_y_ - Number(4) / Number(39) * w.k_110;
-        const Number k_192 = w.k_110 * k_191 - Number(41721) / Number(68000) * w.k_43 - Number(46) / Number(125) * w.k_159;
-        const Number k_193 = Number(41721) / Number(68000) * c.u_x - Number(379) / Number(1950) * c.u_y_;
-        const Number k_194 = w.k_110 * k_192 + c.u_y_ * (c.u_x * k_193 + Number(4) / Number(39) * w.k_159);
-        w.k_195 = c.c_7 * w.k_110;
-        w.k_196 = c.c_7 * c.u_y_;
-        const Number k_197 = c.eps * k_194 + c.u_x * (w.k_196 - w.k_195) + Number(1) / Number(10) * w.k_159 - Number(1) / Number(10) * k_173;
-        const Number k_198 = k_177 + Number(6) / Number(5) * w.k_110 - Number(6) / Number(5) * c.u_y_;
-        const Number k_199 = c.eps * (c.v_x * k_190 + c.u_x * k_197) + c.u_x * k_198 + c.v_x * (c.c_9 + k_176);
-        const Number k_200 = w.k_42 + c.eps * k_178;
-        const Number k_201 = w.k_66 + c.eps * k_199;
-        c.c_24 = w.k_11 * w.k_12 + w.k_11 * w.k_13 + w.k_152 + w.k_2 * (k_178 * k_178) + w.k_2 * (k_199 * k_199) - Number(4) * (k_200 * k_200 + k_201 * k_201);
-        w.k_202 = Number(56387) / Number(408000) * c.u_x;
-        w.k_203 = Number(87077) / Number(612000) * c.v_x;
-        w.k_204 = c.u_x * (w.k_203 + w.k_195 + Number(113) / Number(975) * c.u_y_ - w.k_202);
-        w.k_205 = Number(7867) / Number(48960) * c.v_x;
-        w.k_206 = c.v_x * (-w.k_205 - c.c_5 * w.k_110 - Number(33) / Number(325) * c.u_y_);
+        const Number k_126 = k_118 * k_96;
+        const Number k_127 = k_96 * k_115 * k_116 + k_112 * k_117 * k_118 + k_96 * k_119 * k_116 + k_112 * k_120 * k_118 + k_121 + k_111 * k_122 * k_118 + Number(2) / Number(5) * k_96 * k_111 * k_112 + k_111 * k_123 * k_118 + k_124 + k_96 * k_114 * k_125 + k_96 * hypot(Number(Number(3) / Number(10)), c.c_3) * k_125 + Number(53) / Number(192) * k_126;
+        const Number k_128 = k_96 * k_112 + k_96 * k_112 * k_114 + k_96 * k_111 + k_96 * k_111 * k_115 + c.eps * k_127 + Number(5) / Number(12) * k_118;
+        c.c_23 = k_113 + resonform::math::number<Number>({7.888609052210118e-31}) - Number(2) * c.eps * k_128;
+        const Number k_129 = Number(1) / Number(4) * k_118;
+        const Number k_130 = k_118 * hypot(c.c_20, Number(Number(1) / Number(20)));
+        const Number k_131 = k_118 * hypot(c.c_20, Number(-Number(1) / Number(20)));
+        const Number k_132 = hypot(c.c_20, Number(-Number(3) / Number(40)));
+        const Number k_133 = hypot(Number(Number(1) / Number(480)), Number(Number(1) / Number(160)));
+        const Number k_134 = k_126 * k_133;
+        const Number k_135 = hypot(Number(-Number(5) / Number(96)), Number(-Number(5) / Number(96)));
+        const Number k_136 = k_126 * k_135;
+        const Number k_137 = hypot(c.c_20, Number(Number(3) / Number(40)));
+        const Number k_138 = hypot(Number(-Number(5) / Number(96)), Number(Number(5) / Number(96)));
+        const Number k_139 = k_126 * k_138;
+        const Number k_140 = hypot(Number(Number(1) / Number(480)), Number(-Number(1) / Number(160)));
+        const Number k_141 = k_126 * k_140;
+        const Number k_142 = hypot(Number(-Number(1) / Number(10)), Number(-Number(1) / Number(20)));
+        const Number k_143 = hypot(Number(-Number(1) / Number(10)), Number(Number(1) / Number(20)));
+        const Number k_144 = k_112 * k_118 * k_132 + k_134 + c.c_3 * k_112 * k_118 + k_136 + k_112 * k_118 * k_137 + k_139 + k_141 + k_111 * k_118 * k_142 + k_111 * k_118 * k_143;
+        const Number k_145 = Number(2) * c.eps * (k_129 + k_130 + k_131 + c.eps * k_144);
+        c.c_24 = k_113 + resonform::math::number<Number>({7.888609052210118e-31}) - k_145;
+        const Number k_146 = k_134 + k_136 + k_139 + k_141 + k_112 * k_118 * k_143 + k_112 * k_118 * k_142 + k_111 * k_118 * k_137 + c.c_3 * k_111 * k_118 + k_111 * k_118 * k_132;
+        const Number k_147 = Number(2) * c.eps * (k_129 + k_130 + k_131 + c.eps * k_146);
+        c.c_25 = k_113 + resonform::math::number<Number>({7.888609052210118e-31}) - k_147;
+        const Number k_148 = w.k_2 * w.k_2;
+        w.k_149 = k_148 * k_148;
+        const Number k_150 = Number(91513) / Number(204000) * c.u_x;
+        const Number k_151 = Number(4091) / Number(6800) * c.v_x;
+        const Number k_152 = k_150 + k_151 - Number(263) / Number(1950) * w.k_110 - Number(82) / Number(75) * c.u_y_;
+        const Number k_153 = c.u_y_ * (k_150 - k_151 - Number(263) / Number(1950) * c.u_y_);
+        const Number k_154 = w.k_110 * k_152 + k_153 + Number(4817) / Number(14400) * w.k_43 + Number(5021) / Number(4800) * w.k_66;
+        const Number k_155 = Number(49) / Number(650) * c.v_x + Number(3) / Number(65) * w.k_110 - Number(97) / Number(125) * c.u_y_;
+        w.k_156 = c.u_y_ * c.u_y_;
+        const Number k_157 = w.k_110 * k_155 + Number(116189) / Number(204000) * w.k_66 - Number(97) / Number(125) * w.k_156;
+        const Number k_158 = Number(116189) / Number(204000) * c.v_x - Number(49) / Number(650) * c.u_y_;
+        const Number k_159 = c.u_x * k_154 + w.k_110 * k_157 + c.u_y_ * (c.v_x * k_158 + Number(3) / Number(65) * w.k_156);
+        const Number k_160 = Number(15683) / Number(21600) * c.v_x + Number(20427) / Number(34000) * w.k_110 - Number(20427) / Number(34000) * c.u_y_;
+        const Number k_161 = -Number(8) / Number(39) * w.k_110 - Number(122) / Number(75) * c.u_y_;
+        const Number k_162 = c.v_x * k_160 + w.k_110 * k_161 - Number(8) / Number(39) * w.k_156;
+        const Number k_163 = -Number(7) / Number(195) * w.k_110 - Number(29) / Number(125) * c.u_y_;
+        const Number k_164 = w.k_110 * (w.k_110 * k_163 + Number(29) / Number(125) * w.k_156);
+        const Number k_165 = c.v_x * k_162 + k_164 + Number(7) / Number(195) * (w.k_156 * c.u_y_);
+        const Number k_166 = Number(4) / Number(15) * c.u_x;
+        w.k_167 = c.c_2 * c.v_x;
+        const Number k_168 = w.k_110 * (k_166 + c.c_8 - w.k_167 - c.c_3 * w.k_110) + c.u_y_ * (k_166 + w.k_167 - c.c_11) - Number(197) / Number(960) * w.k_43 - Number(53) / Number(192) * w.k_66;
+        const Number k_169 = Number(13) / Number(30) * w.k_110 + Number(13) / Number(30) * c.u_y_;
+        const Number k_170 = w.k_110 * w.k_110;
+        const Number k_171 = c.v_x * k_169 + Number(3) / Number(10) * k_170 - Number(3) / Number(10) * w.k_156;
+        const Number k_172 = c.eps * (c.u_x * k_159 + c.v_x * k_165) + c.u_x * k_168 + c.v_x * k_171;
+        const Number k_173 = Number(2) / Number(5) * w.k_110;
+        const Number k_174 = Number(1) / Number(3) * c.v_x;
+        const Number k_175 = c.eps * k_172 + c.u_x * (-Number(1) / Number(6) * c.u_x - k_173 - c.c_8) + c.v_x * (c.c_9 - k_174 - Number(4) / Number(5) * w.k_110);
+        const Number k_176 = Number(28103) / Number(68000) * c.u_x;
+        const Number k_177 = Number(29867) / Number(40800) * c.v_x;
+        const Number k_178 = w.k_110 * (c.c_9 - k_176 - k_177 - Number(2) / Number(195) * w.k_110);
+        const Number k_179 = k_178 + c.u_y_ * (k_177 - k_176 - Number(2) / Number(195) * c.u_y_) - Number(1453) / Number(2400) * w.k_43 - Number(14333) / Number(21600) * w.k_66;
+        w.k_180 = Number(28) / Number(125) * c.u_y_;
+        const Number k_181 = Number(947) / Number(1950) * c.v_x + Number(2) / Number(13) * w.k_110 - w.k_180;
+        const Number k_182 = w.k_110 * k_181 - Number(3371) / Number(68000) * w.k_66 - Number(28) / Number(125) * w.k_156;
+        const Number k_183 = -Number(3371) / Number(68000) * c.v_x - Number(947) / Number(1950) * c.u_y_;
+        const Number k_184 = c.u_x * k_179 + w.k_110 * k_182 + c.u_y_ * (c.v_x * k_183 + Number(2) / Number(13) * w.k_156);
+        const Number k_185 = Number(1) / Number(2) * c.v_x;
+        const Number k_186 = w.k_110 * (-c.c_8 - k_166 - k_185 - Number(7) / Number(10) * w.k_110);
+        const Number k_187 = c.eps * k_184 + k_186 + c.u_y_ * (k_185 - k_166 - Number(7) / Number(10) * c.u_y_) + Number(367) / Number(960) * w.k_43 + Number(163) / Number(960) * w.k_66;
+        const Number k_188 = Number(379) / Number(1950) * c.u_x + Number(46) / Number(125) * c.u_y_ - Number(4) / Number(39) * w.k_110;
+        const Number k_189 = w.k_110 * k_188 - Number(41721) / Number(68000) * w.k_43 - Number(46) / Number(125) * w.k_156;
+        const Number k_190 = Number(41721) / Number(68000) * c.u_x - Number(379) / Number(1950) * c.u_y_;
+        const Number k_191 = w.k_110 * k_189 + c.u_y_ * (c.u_x * k_190 + Number(4) / Number(39) * w.k_156);
+        w.k_192 = Number(1) / Number(5) * w.k_110;
+        w.k_193 = Number(1) / Number(5) * c.u_y_;
+        const Number k_194 = c.eps * k_191 + c.u_x * (w.k_193 - w.k_192) + c.c_3 * w.k_156 - c.c_3 * k_170;
+        const Number k_195 = k_174 + Number(6) / Number(5) * w.k_110 - Number(6) / Number(5) * c.u_y_;
+        const Number k_196 = c.eps * (c.v_x * k_187 + c.u_x * k_194) + c.u_x * k_195 + c.v_x * (c.c_8 + k_173);
+        const Number k_197 = w.k_42 + c.eps * k_175;
+        const Number k_198 = w.k_65 + c.eps * k_196;
+        c.c_26 = w.k_11 * w.k_12 + w.k_11 * w.k_13 + w.k_149 + w.k_2 * (k_175 * k_175) + w.k_2 * (k_196 * k_196) - Number(4) * (k_197 * k_197 + k_198 * k_198);
+        w.k_199 = Number(56387) / Number(408000) * c.u_x;
+        w.k_200 = Number(87077) / Number(612000) * c.v_x;
+        w.k_201 = c.u_x * (w.k_200 + w.k_192 + Number(113) / Number(975) * c.u_y_ - w.k_199);
+        w.k_202 = Number(7867) / Number(48960) * c.v_x;
+        w.k_203 = -w.k_202 - Number(1) / Number(3) * w.k_110 - Number(33) / Number(325) * c.u_y_;
+        w.k_204 = Number(18) / Number(125) * c.u_y_;
     }
 
     template <class Number> static void compute_constants_3(
             [[maybe_unused]] const Real& given_eps, [[maybe_unused]] const Parameters& parameters, [[maybe_unused]] const Start& start, Constants<Number>& c, compute_constants_quantities<Number>& w) {
-        const Number k_207 = Number(18) / Number(125) * c.u_y_;
-        const Number k_208 = w.k_204 + w.k_206 + w.k_110 * (Number(1) / Number(125) * w.k_110 + k_207) - Number(12) / Number(325) * w.k_159;
-        const Number k_209 = Number(99277) / Number(612000) * c.v_x;
-        const Number k_210 = c.v_x * (k_209 + c.c_11 * w.k_110 + Number(103) / Number(975) * c.u_y_);
-        const Number k_211 = Number(72) / Number(125) * c.u_y_;
-        const Number k_212 = k_210 + w.k_110 * (Number(3) / Number(250) * w.k_110 - k_211) - Number(59) / Number(650) * w.k_159;
-        const Number k_213 = Number(1) / Number(10) * c.u_x;
-        const Number k_214 = Number(7) / Number(60) * c.v_x;
-        const Number k_215 = c.eps * (c.u_x * k_208 + c.v_x * k_212) + c.u_x * (w.k_170 - w.k_195 - k_213 - c.c_20) + c.v_x * (w.k_195 + c.c_16 - k_214);
-        const Number k_216 = Number(3569) / Number(204000) * c.v_x;
-        const Number k_217 = -k_216 - Number(37) / Number(90) * w.k_110 - Number(121) / Number(650) * c.u_y_;
-        const Number k_218 = c.v_x * k_217 + w.k_110 * (-w.k_183 - Number(77) / Number(250) * w.k_110) + Number(89) / Number(650) * w.k_159;
-        const Number k_219 = w.k_195 + c.eps * k_218 + k_214 - Number(3) / Number(20) * c.u_y_;
-        const Number k_220 = Number(3) / Number(10) * c.u_x;
-        const Number k_221 = c.c_7 * c.v_x;
-        const Number k_222 = c.eps * (c.u_x * k_215 + w.k_67 * k_219) + c.u_x * (k_220 - k_221) + w.k_69;
-        const Number k_223 = w.k_109 + c.eps * k_222;
-        c.c_25 = w.k_11 * w.k_34 + w.k_152 + w.k_2 * (k_222 * k_222) - Number(4) * (k_223 * k_223);
-        const Number k_224 = w.k_196 + Number(113) / Number(975) * w.k_110 - w.k_202 - w.k_203;
-        const Number k_225 = c.v_x * (Number(33) / Number(325) * w.k_110 + c.c_5 * c.u_y_ - w.k_205);
-        const Number k_226 = c.u_x * k_224 + k_225 + w.k_110 * (k_207 - Number(12) / Number(325) * w.k_110) + Number(1) / Number(125) * w.k_159;
-        const Number k_227 = c.v_x * (Number(103) / Number(975) * w.k_110 + c.c_11 * c.u_y_ - k_209);
-        const Number k_228 = k_227 + w.k_110 * (Number(59) / Number(650) * w.k_110 + k_211) - Number(3) / Number(250) * w.k_159;
-        const Number k_229 = c.u_x * (-w.k_170 - k_213 - Number(1) / Number(20) * w.k_110 - w.k_196);
-        const Number k_230 = c.eps * (c.u_x * k_226 + c.v_x * k_228) + k_229 + c.v_x * (-k_214 - w.k_196 - Number(3) / Number(10) * w.k_110);
-        const Number k_231 = Number(121) / Number(650) * w.k_110 + Number(37) / Number(90) * c.u_y_ - k_216;
-        const Number k_232 = c.v_x * k_231 + w.k_110 * (Number(89) / Number(650) * w.k_110 - w.k_183) - Number(77) / Number(250) * w.k_159;
-        const Number k_233 = w.k_196 + c.eps * k_232 - k_214 - Number(3) / Number(20) * w.k_110;
-        const Number k_234 = w.k_69 + c.eps * (c.u_x * k_230 + w.k_67 * k_233) + c.u_x * (k_220 + k_221);
-        const Number k_235 = w.k_95 + c.eps * k_234;
-        c.c_26 = w.k_11 * w.k_16 + w.k_152 + w.k_2 * (k_234 * k_234) - Number(4) * (k_235 * k_235);
+        const Number k_205 = w.k_201 + c.v_x * w.k_203 + w.k_110 * (Number(1) / Number(125) * w.k_110 + w.k_204) - Number(12) / Number(325) * w.k_156;
+        const Number k_206 = Number(99277) / Number(612000) * c.v_x;
+        const Number k_207 = k_206 + Number(4) / Number(15) * w.k_110 + Number(103) / Number(975) * c.u_y_;
+        const Number k_208 = Number(72) / Number(125) * c.u_y_;
+        const Number k_209 = c.v_x * k_207 + w.k_110 * (Number(3) / Number(250) * w.k_110 - k_208) - Number(59) / Number(650) * w.k_156;
+        const Number k_210 = c.c_3 * c.u_x;
+        const Number k_211 = c.u_x * (w.k_167 - w.k_192 - k_210 - Number(1) / Number(20) * c.u_y_);
+        const Number k_212 = Number(7) / Number(60) * c.v_x;
+        const Number k_213 = c.eps * (c.u_x * k_205 + c.v_x * k_209) + k_211 + c.v_x * (w.k_192 + c.c_15 - k_212);
+        const Number k_214 = Number(3569) / Number(204000) * c.v_x;
+        const Number k_215 = -k_214 - Number(37) / Number(90) * w.k_110 - Number(121) / Number(650) * c.u_y_;
+        const Number k_216 = c.v_x * k_215 + w.k_110 * (-w.k_180 - Number(77) / Number(250) * w.k_110) + Number(89) / Number(650) * w.k_156;
+        const Number k_217 = c.u_x * k_213 + w.k_66 * (w.k_192 + c.eps * k_216 + k_212 - c.c_19);
+        const Number k_218 = Number(3) / Number(10) * c.u_x;
+        const Number k_219 = Number(1) / Number(5) * c.v_x;
+        const Number k_220 = c.eps * k_217 + c.u_x * (k_218 - k_219) + w.k_68;
+        const Number k_221 = w.k_109 + c.eps * k_220;
+        c.c_27 = w.k_11 * w.k_34 + w.k_149 + w.k_2 * (k_220 * k_220) - Number(4) * (k_221 * k_221);
+        const Number k_222 = w.k_193 + Number(113) / Number(975) * w.k_110 - w.k_199 - w.k_200;
+        const Number k_223 = Number(33) / Number(325) * w.k_110 + Number(1) / Number(3) * c.u_y_ - w.k_202;
+        const Number k_224 = c.u_x * k_222 + c.v_x * k_223 + w.k_110 * (w.k_204 - Number(12) / Number(325) * w.k_110) + Number(1) / Number(125) * w.k_156;
+        const Number k_225 = Number(103) / Number(975) * w.k_110 + Number(4) / Number(15) * c.u_y_ - k_206;
+        const Number k_226 = c.v_x * k_225 + w.k_110 * (Number(59) / Number(650) * w.k_110 + k_208) - Number(3) / Number(250) * w.k_156;
+        const Number k_227 = c.u_x * (-w.k_167 - k_210 - Number(1) / Number(20) * w.k_110 - w.k_193);
+        const Number k_228 = c.eps * (c.u_x * k_224 + c.v_x * k_226) + k_227 + c.v_x * (-k_212 - w.k_193 - Number(3) / Number(10) * w.k_110);
+        const Number k_229 = Number(121) / Number(650) * w.k_110 + Number(37) / Number(90) * c.u_y_ - k_214;
+        const Number k_230 = c.v_x * k_229 + w.k_110 * (Number(89) / Number(650) * w.k_110 - w.k_180) - Number(77) / Number(250) * w.k_156;
+        const Number k_231 = c.u_x * k_228 + w.k_66 * (w.k_193 + c.eps * k_230 - k_212 - c.c_7 * w.k_110);
+        const Number k_232 = w.k_68 + c.eps * k_231 + c.u_x * (k_218 + k_219);
+        const Number k_233 = w.k_94 + c.eps * k_232;
+        c.c_28 = w.k_11 * w.k_16 + w.k_149 + w.k_2 * (k_232 * k_232) - Number(4) * (k_233 * k_233);
     }
 
     template <class Number> static void compute_constants(
@@ -545,19 +549,19 @@ private:
         keep(from.c_1, c.c_1, "c_1");
         keep(from.eps, c.eps, "eps");
         keep(from.c_2, c.c_2, "c_2 in x_3");
-        keep(from.c_3, c.c_3, "c_3 in x");
-        keep(from.c_4, c.c_4, "c_4 in y");
-        keep(from.c_5, c.c_5, "c_5 in x");
         keep(from.u_x, c.u_x, "u_x");
+        keep(from.c_3, c.c_3, "c_3 in y");
         keep(from.v_x, c.v_x, "v_x");
-        keep(from.c_6, c.c_6, "c_6 in theta");
+        keep(from.c_4, c.c_4, "c_4 in theta");
+        keep(from.c_5, c.c_5, "c_5 in chi");
+        keep(from.c_6, c.c_6, "c_6 in x_3");
         keep(from.c_7, c.c_7, "c_7 in y_3");
-        keep(from.c_8, c.c_8, "c_8 in chi");
         keep(from.u_y_, c.u_y_, "u_y_");
+        keep(from.c_8, c.c_8, "c_8 in x");
         keep(from.c_9, c.c_9, "c_9 in x");
         keep(from.c_10, c.c_10, "c_10 in x");
-        keep(from.c_11, c.c_11, "c_11 in x_3");
-        keep(from.c_12, c.c_12, "c_12 in y_3");
+        keep(from.c_11, c.c_11, "c_11 in y_3");
+        keep(from.c_12, c.c_12, "c_12 in x_3");
         keep(from.c_13, c.c_13, "c_13 in x_3");
         keep(from.c_14, c.c_14, "c_14 in x_3");
         keep(from.c_15, c.c_15, "c_15 in x_3");
@@ -566,16 +570,18 @@ private:
         keep(from.c_18, c.c_18, "c_18 in y_3");
         keep(from.c_19, c.c_19, "c_19 in y_3");
         keep(from.c_20, c.c_20, "c_20 in y_3");
+        keep(from.c_21, c.c_21, "c_21 in y_3");
+        keep(from.c_22, c.c_22, "c_22 in y_3");
     }
 
     // What has no place in Number is the answer.
     template <class From, class Number> static Cause keep(const Constants<From>& from, Constants<Number>& c) {
-        if (!(from.c_21 > From(0))) return {Status::outside_domain, "x"};
-        if (!(from.c_22 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_23 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_24 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_23 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_24 > From(0))) return {Status::outside_domain, "y"};
         if (!(from.c_25 > From(0))) return {Status::outside_domain, "y"};
-        if (!(from.c_26 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_26 > From(0))) return {Status::outside_domain, "x"};
+        if (!(from.c_27 > From(0))) return {Status::outside_domain, "y"};
+        if (!(from.c_28 > From(0))) return {Status::outside_domain, "y"};
         resonform::Keeper keep;
         keep_1(from, c, keep);
         return keep.cause;
@@ -612,8 +618,8 @@ private:
     // Those that phases need in more digits than Real has.
     template <class Number> struct PhaseConstants {
         Number c_1;
-        Number c_6;
-        Number c_8;
+        Number c_4;
+        Number c_5;
     };
 
     template <class Number> static void compute_phase_constants(
@@ -688,10 +694,10 @@ private:
         const Number k_60 = v_x * v_x;
         const Number k_61 = Number(107) / Number(240) * k_39 + Number(107) / Number(240) * k_60;
         const Number theta_dot = Number(1) + k_2 * k_61;
-        c.c_6 = k_1 * theta_dot;
+        c.c_4 = k_1 * theta_dot;
         const Number k_62 = k_2 * (-Number(1) / Number(5) * k_39 - Number(1) / Number(5) * k_60);
         const Number chi_dot = k_62 - Number(1);
-        c.c_8 = k_1 * chi_dot;
+        c.c_5 = k_1 * chi_dot;
     }
 
     // With all of them, if a step leaves the range of Number.
@@ -703,8 +709,8 @@ private:
             Constants<Number> all;
             const Cause lost = keep_constants(eps, parameters, start, all);
             c.c_1 = all.c_1;
-            c.c_6 = all.c_6;
-            c.c_8 = all.c_8;
+            c.c_4 = all.c_4;
+            c.c_5 = all.c_5;
             return lost;
         } else { // side by side
             return {Status::overflow, ""};
@@ -714,13 +720,13 @@ private:
     // dtheta/dT
     template <class Number, class Some> static Number theta_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_6;
+        return c.c_4;
     }
 
     // dchi/dT
     template <class Number, class Some> static Number chi_rate(
             const Some& c, [[maybe_unused]] const Number& T) {
-        return c.c_8;
+        return c.c_5;
     }
 
     // What differs from call to call.
@@ -734,19 +740,22 @@ private:
         const Real q_1 = c.u_x * a.cos_theta;
         const Real q_2 = c.v_x * a.sin_theta;
         const Real re_x = q_1 - q_2;
+        const Real q_3 = c.c_6 * re_x;
         const Real im_x = c.u_x * a.sin_theta + c.v_x * a.cos_theta;
-        const Real q_3 = c.c_12 * a.exp_chi;
-        const Real q_4 = re_x * re_x;
-        const Real q_5 = im_x * im_x;
-        const Real q_6 = c.u_y_ * a.exp_chi * (c.c_11 * re_x + c.c_2 * im_x - q_3) - c.c_13 * q_4 - c.c_14 * q_5;
-        const Real x_3 = re_x * q_6 + c.u_y_ * a.exp_chi * im_x * (c.c_15 * im_x - c.c_16 * a.exp_chi);
-        const Real q_7 = re_x * (-c.c_3 * re_x - c.c_9 * a.exp_chi) + im_x * (c.c_10 * a.exp_chi - c.c_5 * im_x) + c.eps * x_3;
+        const Real q_4 = c.c_6 * im_x;
+        const Real q_5 = c.c_11 * a.exp_chi;
+        const Real q_6 = re_x * re_x;
+        const Real q_7 = im_x * im_x;
+        const Real q_8 = c.u_y_ * a.exp_chi * (c.c_2 * im_x - q_3 - q_5) + c.c_12 * q_6 - c.c_13 * q_7 - c.c_14;
+        const Real q_9 = c.u_y_ * a.exp_chi * (im_x * (q_4 - c.c_15 * a.exp_chi) + c.c_16);
+        const Real x_3 = re_x * q_8 + q_9;
+        const Real q_10 = re_x * (q_3 - c.c_8 * a.exp_chi) + im_x * (c.c_9 * a.exp_chi - q_4) + c.eps * x_3 - c.c_10;
         const Real re_y = c.u_y_ * a.exp_chi;
-        const Real q_8 = re_x * (-c.c_7 * re_x - c.c_18 * a.exp_chi) + im_x * (q_3 - c.c_19 * im_x);
-        const Real y_3 = re_x * q_8 + c.c_20 * a.exp_chi * q_5;
-        const Real q_9 = c.eps * (re_y + c.eps * (c.c_17 * q_4 + c.c_4 * q_5 + c.eps * y_3));
-        values.x = c.eps * (q_1 + c.eps * q_7 - q_2);
-        values.y = q_9;
+        const Real q_11 = re_x * (c.c_18 * re_x - c.c_19 * a.exp_chi) + im_x * (q_5 - c.c_20 * im_x) - c.c_21;
+        const Real y_3 = re_x * q_11 + c.u_y_ * a.exp_chi * (c.c_7 * q_7 - c.c_22);
+        const Real q_12 = re_y + c.eps * (c.c_3 * q_6 + c.eps * y_3 + c.c_17 - c.c_3 * q_7);
+        values.x = c.eps * (q_1 + c.eps * q_10 - q_2);
+        values.y = c.eps * q_12;
         return finite(values.x) && finite(values.y) ? Status::ok : Status::overflow;
     }
 
@@ -811,7 +820,7 @@ private:
         const Constants<Real>& c;
 
         Columns start() const { return {}; }
-        auto conditions() const { return std::array<Real, 6>{c.c_21, c.c_22, c.c_23, c.c_24, c.c_25, c.c_26}; }
+        auto conditions() const { return std::array<Real, 6>{c.c_23, c.c_24, c.c_25, c.c_26, c.c_27, c.c_28}; }
         template <class Number> struct Angles {
             PhaseConstants<Number> own; // if they are not in Real
             Cause lost;

@@ -30,6 +30,8 @@ FlowMoment::FlowMoment(Program& program, const RealForm& real, const Surrounding
         }
     };
     define_units(real.modes(), values.modes);
+    for (std::size_t k = 0; k < values.moduli.size(); ++k)
+        if (values.moduli[k] >= 0) define(real.moduli()[k], values.moduli[k]);
     define_units(real.angles(), values.angles);
     for (std::size_t k = 0; k < values.slow.size(); ++k) define(real.slow()[k], values.slow[k]);
     define_roots_and_functions(lowering, program, surroundings, named);

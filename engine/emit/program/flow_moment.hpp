@@ -19,6 +19,7 @@ struct FlowUnit { // u + i v
 struct FlowValues {
     std::vector<FlowUnit> modes, angles;
     std::vector<Graph::Node> slow, drift;
+    std::vector<Graph::Node> moduli = {}; // u^2 + v^2 of modes where that is a constant, else -1; or empty
 };
 
 // p/eps^power before it is lowered to nodes: real and imaginary part multiplied out, or, where that is much

@@ -46,6 +46,7 @@ public:
         lower_rates();
         integrate_drifts();
         turned_ = FlowTurning(program_, *frame_, solution_, real_, surroundings_).turned(moving_, start_);
+        turned_.moduli = constant_moduli();
         define_results();
         const auto lower = [&](const Polynomial& p) { return frame_->lowering.polynomial(real_(p).re); };
         add_layers(program_, *solution_.normalization, surroundings_, lower,
@@ -74,6 +75,7 @@ private:
     [[nodiscard]] static bool moves(const FlowMode& mode) {
         return !mode.rate.total(mode.rate.through()).empty();
     }
+    [[nodiscard]] std::vector<Graph::Node> constant_moduli();
     // A rate per unit of slow time, times eps^-power of the ring besides.
     [[nodiscard]] Graph::Node lowered(const Polynomial& p, int power) {
         return per_slow_time(frame_->lowering, p, power);
@@ -207,6 +209,18 @@ void FlowProgram::integrate_drifts() {
     }
 }
 
+// Of amplitudes that stay as they are at the start; of others -1.
+std::vector<Graph::Node> FlowProgram::constant_moduli() {
+    Graph& graph = program_.graph;
+    std::vector<Graph::Node> moduli;
+    for (std::size_t k = 0; k < field_.modes.size(); ++k) {
+        const bool stays = !field_.modes[k].is_real() && !moves(flow_.modes[k]) && !flow_.modes[k].decay;
+        const FlowUnit& unit = start_.modes[k];
+        moduli.push_back(stays ? graph.add({graph.power(unit.u, 2), graph.power(unit.v, 2)}) : -1);
+    }
+    return moduli;
+}
+
 // Modes as they matter after the first moments: of those that decay nothing is left.
 std::vector<FlowUnit> FlowProgram::lasting_modes() {
     std::vector<FlowUnit> modes = moving_.modes;
@@ -220,8 +234,12 @@ Graph::Node FlowProgram::result(const FlowOutput& output, bool oscillating) {
     for (const auto& [divisor, inverse] : inverses_) call.lowering.set_inverse(divisor, inverse);
     Polynomial all = output.value.total(output.value.through());
     if (!oscillating) all = mean_part(field_, flow_, all);
+    // A sum of squares that stays is a constant, and squares have twice their factors' rounding errors.
+    std::vector<bool> stays;
+    if (oscillating)
+        for (const Graph::Node modulus : turned_.moduli) stays.push_back(modulus >= 0);
     Graph::Node value =
-        by_powers_of_eps(*real_.ring(), real_.eps(), real_(all).re, output.name,
+        by_powers_of_eps(*real_.ring(), real_.eps(), real_(all, stays).re, output.name,
                          [&](const Polynomial& part, int) { return call.lowering.polynomial(part); });
     if (output.drift) value = program_.graph.add({drift_[*output.drift], value});
     return value;

@@ -94,11 +94,21 @@ std::vector<GeneratorId> RealForm::turning() const {
     return outer;
 }
 
-RealForm::Value RealForm::operator()(const Polynomial& p) const {
+RealForm::Value RealForm::operator()(const Polynomial& p, const std::vector<bool>& of_modulus) const {
     const Ring& old = *field_.ring;
     std::vector<Polynomial> parts;
-    for (const auto& [monomial, coefficient] : old.collect(p, turning())) {
+    for (const auto& [given, coefficient] : old.collect(p, turning())) {
         Polynomial part = (*lift_)(coefficient);
+        Monomial monomial = given;
+        for (std::size_t k = 0; k < of_modulus.size(); ++k) {
+            if (!of_modulus[k]) continue;
+            const Mode& mode = field_.modes[k];
+            const int pairs = std::min(old.exponent(given, mode.z), old.exponent(given, mode.zbar));
+            if (pairs == 0) continue;
+            monomial = monomial - old.monomial(mode.z, pairs) - old.monomial(mode.zbar, pairs);
+            part = ring_->multiply(part, ring_->gen(moduli_[k], pairs));
+            part = ring_->multiply(part, ring_->gen(eps_, 2 * pairs * old.generator(mode.z).weight));
+        }
         for (std::size_t unit = 0; unit < outer_.size(); ++unit) {
             int exponent = old.exponent(monomial, outer_[unit]);
             if (old.generator(outer_[unit]).kind == GeneratorKind::phase) {

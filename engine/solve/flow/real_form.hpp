@@ -26,7 +26,7 @@ public:
     };
     [[nodiscard]] const std::vector<Pair>& modes() const { return modes_; }
     [[nodiscard]] const std::vector<Pair>& angles() const { return angles_; }
-    // u^2 + v^2 of a mode; -1: it is real. Only harmonics() has these.
+    // u^2 + v^2 of a mode; -1: it is real. Only harmonics() has these, and what is asked for.
     [[nodiscard]] const std::vector<GeneratorId>& moduli() const { return moduli_; }
     [[nodiscard]] const std::vector<GeneratorId>& slow() const { return slow_; }
     [[nodiscard]] GeneratorId eps() const { return eps_; }
@@ -34,7 +34,8 @@ public:
     struct Value {
         Polynomial re, im;
     };
-    [[nodiscard]] Value operator()(const Polynomial& p) const;
+    // of_modulus: modes whose z zbar stays their modulus; of none, if it is empty.
+    [[nodiscard]] Value operator()(const Polynomial& p, const std::vector<bool>& of_modulus = {}) const;
 
     // p by what its terms turn with, nothing multiplied out: the sum of
     //
