@@ -224,6 +224,7 @@ template <class Real, class Wide> struct Check {
         expect(Own::at_end(Real(0), {}, start, Real(1), v), Status::bad_argument, "eps = 0");
         expect(Own::at_end(eps, {}, start, none, v), Status::bad_argument, "t");
         expect(Own::at_end(eps, {}, start, Real(1) / Real(0 * eps), v), Status::bad_argument, "t infinite");
+        expect(Own::at_end(eps, {}, start, Real(1e300), v), Status::outside_interval, "t beyond every interval");
         expect(Own::at_end(eps, {}, start, Real(-1), v), Status::outside_interval, "t < 0");
         allocated = 0;
         starving = true;

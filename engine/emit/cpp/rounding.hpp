@@ -5,6 +5,9 @@
 // logarithmic derivative of the output by the step, 2 where the output is a square of it:
 //
 //   rounding^2 = sum_k n_k (d log output/d log step_k)^2 u^2,   output: the sum of the sizes of its terms
+//
+// Constants of integrands and of a flow's rates count by what the integral over slow time 1 has of its value;
+// what is rounded at the nodes averages out.
 #pragma once
 
 #include "emit/program/straight_line.hpp"
