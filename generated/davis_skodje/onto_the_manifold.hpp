@@ -7,7 +7,7 @@
 //   order       3, normal form and map through weight 4
 //   operations  3 add, 6 multiply, 1 divide, 0 root, 0 sincos, 2 other, 0 tables
 //   written out 3 add, 10 multiply, 1 divide, 0 root, 0 sincos, 3 other, 0 tables
-//   many points from tables of 3 rows (87 operations, 102 from atoms, 137 one by one)
+//   many points from tables of 3 rows (87 operations, 102 from atoms, 137 one by one): tables pay below 5 times a call
 //
 // z1 = a1*exp(chi)
 // a1 = u_y

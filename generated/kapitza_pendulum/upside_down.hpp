@@ -7,7 +7,7 @@
 //   order       1, normal form and map through weight 3
 //   operations  5 add, 12 multiply, 0 divide, 0 root, 1 sincos, 2 other, 2 tables
 //   written out 6 add, 19 multiply, 1 divide, 0 root, 9 sincos, 0 other, 6 tables
-//   many points from tables of 8 rows (138 operations, 138 from atoms, 537 one by one)
+//   many points from tables of 8 rows (138 operations, 138 from atoms, 537 one by one): tables pay below 5 times a call
 //
 // phi = theta_new + delta_phi
 // theta_new' = 1

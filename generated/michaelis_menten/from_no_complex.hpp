@@ -7,7 +7,7 @@
 //   order       2, normal form and map through weight 3
 //   operations  34 add, 54 multiply, 1 divide, 0 root, 0 sincos, 1 other, 1 tables
 //   written out 82 add, 187 multiply, 22 divide, 0 root, 0 sincos, 0 other, 27 tables
-//   many points from tables of 7 rows (135 operations, 330 from atoms, 236 one by one)
+//   many points from tables of 7 rows (135 operations, 330 from atoms, 236 one by one): tables pay below 5 times a call
 //
 // z1 = a1*exp(chi)
 // a1 = u_c

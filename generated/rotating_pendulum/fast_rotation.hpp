@@ -7,7 +7,7 @@
 //   order       2, normal form and map through weight 4
 //   operations  5 add, 11 multiply, 0 divide, 0 root, 1 sincos, 0 other, 0 tables
 //   written out 19 add, 58 multiply, 17 divide, 0 root, 17 sincos, 0 other, 0 tables
-//   many points from tables of 5 rows (111 operations, 96 from atoms, 256 one by one)
+//   many points from tables of 5 rows (111 operations, 96 from atoms, 256 one by one): tables pay below 5 times a call
 //
 // phi = theta + delta_phi
 // theta' = J

@@ -7,7 +7,7 @@
 //   order       2, normal form and map through weight 3
 //   operations  12 add, 22 multiply, 0 divide, 0 root, 1 sincos, 0 other, 3 tables
 //   written out 26 add, 105 multiply, 24 divide, 20 root, 24 sincos, 0 other, 11 tables
-//   many points from tables of 9 rows (153 operations, 162 from atoms, 514 one by one)
+//   many points from tables of 9 rows (153 operations, 162 from atoms, 514 one by one): tables pay below 5 times a call
 //
 // z1 = a1*exp(I*theta_new)
 // z2 = conj(z1)

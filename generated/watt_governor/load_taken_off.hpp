@@ -7,7 +7,7 @@
 //   order       1, normal form and map through weight 2
 //   operations  6 add, 17 multiply, 4 divide, 3 root, 1 sincos, 1 other, 1 tables
 //   written out 9 add, 23 multiply, 4 divide, 3 root, 2 sincos, 0 other, 9 tables
-//   many points from tables of 4 rows (156 operations, 153 from atoms, 483 one by one)
+//   many points from tables of 4 rows (156 operations, 153 from atoms, 483 one by one): tables pay below 5 times a call
 //
 // z1 = a1*exp(chi + I*theta)
 // z2 = conj(z1)

@@ -189,6 +189,12 @@ void choose_form(Program& program, EmitForm wish, const Place& place, int longes
         program.form_reason = "as the scene wants it";
     else if (!large.empty() && !atoms)
         program.form_reason = large;
+    else if (tables)
+        program.form_reason = fmt::format("tables pay below {} times a call", of_tables);
+    else if (atoms)
+        program.form_reason = fmt::format("atoms pay below {} times a call", of_atoms);
+    else if (program.form_reason.empty())
+        program.form_reason = "neither tables nor atoms would pay";
     sum_rows_of_long_formula(program, possible && !atoms && !program.phases.empty(), longest);
     if (!tables && !program.sums_rows) program.rows.clear();
 }

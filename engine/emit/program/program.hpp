@@ -139,8 +139,7 @@ struct Program {
     using Count = OperationCount;
     Count before; // of all variables of the solution, written out, nothing shared, fixed or left out
     Count after;  // of the emitted code
-    // Of many points, if ProgramOptions::rows: why they are computed as they are, if not because it is
-    // cheaper.
+    // Of many points, if ProgramOptions::rows: why they are computed as they are.
     std::string form_reason;
     OperationsByForm operations_by_form;
     EmitForm many_points = EmitForm::direct; // never automatic; atoms: see recipe.hpp
