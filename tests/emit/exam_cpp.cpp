@@ -45,9 +45,8 @@ std::string complaints(const std::string& compiler, const std::string& header) {
                 "template class scene::Evaluator<long double>;\n"
                 "int main() { return 0; }\n");
     const test::Outcome outcome = test::run(
-        compiler +
-            " -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror "
-            "-fsyntax-only main.cpp",
+        compiler + " -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror "
+                   "-fsyntax-only main.cpp",
         scratch.path());
     return outcome.code == 0 ? "" : outcome.err.substr(0, 2000) + "\n(no message)";
 }

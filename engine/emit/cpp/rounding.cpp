@@ -188,9 +188,8 @@ std::vector<RoundingOfOutput> rounding_of_constants(const Program& program, Stra
 
 bool rounds_much(const std::vector<RoundingOfOutput>& roundings) {
     constexpr double much = 5;
-    return std::any_of(roundings.begin(), roundings.end(), [](const RoundingOfOutput& r) {
-        return r.stepwise * r.stepwise > much * r.once;
-    });
+    return std::any_of(roundings.begin(), roundings.end(),
+                       [](const RoundingOfOutput& r) { return r.stepwise * r.stepwise > much * r.once; });
 }
 
 } // namespace resonform
