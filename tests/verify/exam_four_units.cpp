@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is wanted of scenes whose frequencies hang on no computed flow: 4 ulp of an output's scale in every
-// form and type, in double from 100 starts at 1000 times each.
+// form, in double from 100 starts at 1000 times each, and in long double.
 #include "verify/judging/emitted_check.hpp"
 #include "verify/judging/emitted_points.hpp"
 

@@ -102,7 +102,7 @@ public:
             for (const Value part : {column.start, column.rate}) {
                 if (all == 0 || part < 0 || size_at(part) == 0) continue;
                 share[place(part)] += all * size_at(part) / size_of(column);
-                pass_down(part, share); // what is rounded at the nodes averages out
+                pass_down(part, share); // rounding at single nodes averages out and is not counted
             }
         }
         double stepwise = calls, once = calls;

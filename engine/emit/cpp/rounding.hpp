@@ -7,7 +7,7 @@
 //   rounding^2 = sum_k n_k (d log output/d log step_k)^2 u^2,   output: the sum of the sizes of its terms
 //
 // Constants of integrands and of a flow's rates count by what the integral over slow time 1 has of its value;
-// what is rounded at the nodes averages out.
+// rounding errors of single nodes average out in the sum and are not counted.
 #pragma once
 
 #include "emit/program/straight_line.hpp"

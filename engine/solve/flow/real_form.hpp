@@ -26,7 +26,8 @@ public:
     };
     [[nodiscard]] const std::vector<Pair>& modes() const { return modes_; }
     [[nodiscard]] const std::vector<Pair>& angles() const { return angles_; }
-    // u^2 + v^2 of a mode; -1: it is real. Only harmonics() has these, and what is asked for.
+    // u^2 + v^2 of a mode; -1: it is real. They appear in harmonics(), and in operator() for the modes of its
+    // of_modulus.
     [[nodiscard]] const std::vector<GeneratorId>& moduli() const { return moduli_; }
     [[nodiscard]] const std::vector<GeneratorId>& slow() const { return slow_; }
     [[nodiscard]] GeneratorId eps() const { return eps_; }
@@ -34,7 +35,7 @@ public:
     struct Value {
         Polynomial re, im;
     };
-    // of_modulus: modes whose z zbar stays their modulus; of none, if it is empty.
+    // of_modulus: true for the modes whose product z zbar is written as their modulus; empty: none.
     [[nodiscard]] Value operator()(const Polynomial& p, const std::vector<bool>& of_modulus = {}) const;
 
     // p by what its terms turn with, nothing multiplied out: the sum of
